@@ -46,7 +46,7 @@ where
 {
     let Balance { jacobian, gamma, mass, forces } = mechanism.balance(q, qd, t);
     let lengths = lengths(mechanism);
-    let parts = match pivots.as_ref().and_then(|pivots| Partition::along(&jacobian, &gamma, pivots, WORSE)) {
+    let parts = match pivots.as_ref().and_then(|pivots| Partition::along(&jacobian, &gamma, pivots, T::of(WORSE))) {
         Some(parts) => parts,
         None => Partition::new(&jacobian, &gamma, &lengths, |_| true, &redundant(mechanism))
             .map_err(|row| singular::<T, S, N, I, M, R>(t, row))?,

@@ -144,13 +144,13 @@ impl<T: Float, const M: usize, const I: usize> Partition<T, M, I> {
     }
 
     /// Eliminates all rows in a known order; `None` if a pivot is below a `fraction` of its size when it was chosen.
-    pub(super) fn along(matrix: &SMatrix<T, M, I>, side: &SVector<T, M>, pivots: &Pivots<T, M, I>, fraction: f64) -> Option<Self> {
+    pub(super) fn along(matrix: &SMatrix<T, M, I>, side: &SVector<T, M>, pivots: &Pivots<T, M, I>, fraction: T) -> Option<Self> {
         let rows = ordered(&by_rows(matrix), &pivots.rows, [T::ZERO; I]).map(|row| ordered(&row, &pivots.unknowns, T::ZERO));
         let side = pivots.rows.map(|row| side.get(row).copied().unwrap_or(T::ZERO));
         let mut this = Self { rank: 0, pivots: *pivots, rows, side };
         for (k, before) in pivots.sizes.iter().enumerate().take(pivots.count) {
             let own = this.rows.get(k)?.get(k)?.abs();
-            let is_as_good = own >= T::of(fraction) * *before;
+            let is_as_good = own >= fraction * *before;
             if !is_as_good {
                 return None;
             }

@@ -43,7 +43,7 @@ where
     // Where the same rows count between positions and between speeds, the same pivots are good.
     let are_same = (0..K).all(|row| levels(row) == [true, true]);
     let mut kept = known.filter(|_| are_same && S::REDUNDANT == 0).copied();
-    let fraction = if S::REDUNDANT == 0 { ABOUT_AS_GOOD } else { WORSE };
+    let fraction = T::of(if S::REDUNDANT == 0 { ABOUT_AS_GOOD } else { WORSE });
     let mut here = equations(q);
     let mut open = gap(&here, is_of_positions);
     for _ in 0..CORRECTIONS {
@@ -78,7 +78,7 @@ where
             factor = factor * T::of(0.5);
         }
         if is_last {
-            let along = if are_same { Partition::along(&here.jacobian, &here.nu, &parts.pivots, WORSE) } else { None };
+            let along = if are_same { Partition::along(&here.jacobian, &here.nu, &parts.pivots, T::of(WORSE)) } else { None };
             let speeds = match along {
                 Some(speeds) => speeds,
                 None => Partition::new(&here.jacobian, &here.nu, &lengths, |row| levels(row)[1], &redundant).map_err(Open::Dependent)?,

@@ -10,6 +10,7 @@ use super::slices::plain;
 use super::{docs, docs_or, state_path};
 use crate::model::{Method, Output};
 use crate::plan::{OutputCode, Outputs, Routine, Shape, Words};
+use crate::system::COSINES_OF_POSITION;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
@@ -33,9 +34,10 @@ impl Emitter<'_> {
         let kind = self.output_type(first);
         let body = match outputs {
             Outputs::Bodies(bodies) => {
-                let places: Vec<usize> = bodies.iter().map(|body| 3 * body).collect();
+                let places: Vec<usize> = bodies.iter().map(|body| self.model.ambient.first_coordinate(*body)).collect();
+                let each = number(COSINES_OF_POSITION);
                 array_at(&places, &method.sizes, |place| match self.orientations() {
-                    Some(first) => quote!(state.spatial_body(#place, #first + 3 * (#place))),
+                    Some(first) => quote!(state.spatial_body(#place, #first + #each * (#place))),
                     None => quote!(state.planar_body(#place)),
                 })
             }

@@ -6,6 +6,7 @@ use super::routine::{RoutinePrinter, lines};
 use super::{allowed, docs, state_path};
 use crate::model::sketch::NamedPoint;
 use crate::plan::Routine;
+use crate::system::COSINES;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
@@ -65,14 +66,14 @@ impl Emitter<'_> {
         let name = format_ident!("{body}_{}", own.replace('[', "_").replace(']', ""));
         let page = docs::line(&format!("The {what} `{own}` of `{owner}`{unit}, in ground, with its first and second derivative in time."));
         let local = quote!(#vector::new(#(#results),*));
-        let motion = match mark.at.body.map(|body| 3 * body) {
+        let motion = match mark.at.body.map(|body| (body, self.model.ambient.first_coordinate(body))) {
             None => quote!(::reuleaux::Motion::fixed(#local)),
-            Some(place) if self.system.frames.is_empty() => {
+            Some((_, place)) if self.system.frames.is_empty() => {
                 let place = number(place);
                 quote!(self.state.planar_body(#place).#method(#local))
             }
-            Some(place) => {
-                let (place, orientation) = (number(place), number(self.system.coordinates.len() + 3 * place));
+            Some((body, place)) => {
+                let (place, orientation) = (number(place), number(self.system.coordinates.len() + COSINES * body));
                 quote!(self.state.spatial_body(#place, #orientation).#method(#local))
             }
         };

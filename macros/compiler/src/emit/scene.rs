@@ -8,8 +8,8 @@ use crate::expr::Expr;
 use crate::model::Joint;
 use crate::model::sketch::{Instantiation, JointArgument, LocalVector};
 use crate::plan::SceneCode;
-use crate::quantity::{Axis, Dim, Role};
-use crate::system::COSINES;
+use crate::quantity::{Ambient, Axis, Dim, Role};
+use crate::system::cosine;
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 use std::collections::BTreeMap;
@@ -88,9 +88,9 @@ impl SceneComposer<'_> {
                     let (q, index) = (local("q"), number(index));
                     quote!(#q[#index].to_f64())
                 };
-                let position = [0, 1, 2].map(|axis| at(3 * index + axis));
+                let position = [0, 1, 2].map(|axis| at(Ambient::Space.first_coordinate(index) + axis));
                 let rotation = [0, 1, 2].map(|row| {
-                    let entries = [0, 1, 2].map(|column| at(system.coordinates.len() + COSINES * index + 3 * row + column));
+                    let entries = [0, 1, 2].map(|column| at(system.coordinates.len() + cosine(index, row, column)));
                     quote!([#(#entries),*])
                 });
                 return quote!(#scene.body(#name, __picture::Pose::space([#(#position),*], [#(#rotation),*])););

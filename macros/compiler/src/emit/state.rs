@@ -5,6 +5,8 @@ use super::literal::number;
 use super::parameters::{apart, holders};
 use super::{allowed, docs, docs_or, state_name};
 use crate::model::{Field, Layout, Of, Part};
+use crate::quantity::Ambient;
+use crate::system::COSINES_OF_POSITION;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
@@ -36,10 +38,15 @@ impl<'a> Accessors<'a> {
         Accessors { orientations, ..self }
     }
 
+    fn ambient(&self) -> Ambient {
+        if self.orientations.is_some() { Ambient::Space } else { Ambient::Plane }
+    }
+
     /// A body of a state, by the place of its origin.
     fn view_of(&self, state: TokenStream, place: TokenStream) -> TokenStream {
+        let each = number(COSINES_OF_POSITION);
         match self.orientations.map(number) {
-            Some(first) => quote!(#state.spatial_body(#place, #first + 3 * (#place))),
+            Some(first) => quote!(#state.spatial_body(#place, #first + #each * (#place))),
             None => quote!(#state.planar_body(#place)),
         }
     }
@@ -125,7 +132,7 @@ impl<'a> Accessors<'a> {
 
     /// Where the coordinates of some bodies begin, from the first of a part's own.
     fn places(&self, part: &Part, members: &[usize], body: impl Fn(usize) -> usize) -> Vec<usize> {
-        members.iter().map(|member| 3 * (body(*member) - part.first)).collect()
+        members.iter().map(|member| self.ambient().first_coordinate(body(*member) - part.first)).collect()
     }
 }
 

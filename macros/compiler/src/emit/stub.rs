@@ -54,7 +54,7 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
     let Mechanism { name, .. } = tree;
     let (state, failure) = (format_ident!("{}State", name), format_ident!("{}Failure", name));
     let promised = outline(tree);
-    let n = 3 * promised.bodies;
+    let n = tree.ambient.first_coordinate(promised.bodies);
     let (structure, equations) = (structure(tree, &promised.layout, visibility), equations(name, n, body));
     let accessors = accessors(tree, &promised.layout, visibility, n, body);
     let inputs = has_inputs(tree).then(|| type_name(name));
@@ -88,7 +88,8 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
             #points
         }
     });
-    let drawable = tree.requests.picture.as_ref().map(|word| scene::implementation(word, name, 3 * promised.bodies, body));
+    let drawable =
+        tree.requests.picture.as_ref().map(|word| scene::implementation(word, name, tree.ambient.first_coordinate(promised.bodies), body));
     quote! {
         #structure
         #state
@@ -346,7 +347,7 @@ fn no_plan() -> TokenStream {
 
 /// The slices upstream of outputs: the methods and their types.
 fn slices(tree: &Mechanism, promised: &Outline, visibility: &TokenStream, body: &TokenStream) -> (TokenStream, TokenStream) {
-    let (mechanism, n, plan) = (&tree.name, number(3 * promised.bodies), no_plan());
+    let (mechanism, n, plan) = (&tree.name, number(tree.ambient.first_coordinate(promised.bodies)), no_plan());
     let slice = |(order, method): (usize, &Method)| {
         let (word, order, value) = (plain(&method.name), number(order), motion(tree, promised, method));
         let [name, state] = ["", "State"].map(|what| slice_name(&format_ident!("{mechanism}{what}"), &promised.methods, &word));

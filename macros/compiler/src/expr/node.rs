@@ -14,6 +14,9 @@ impl Expr {
     }
 }
 
+/// Axes of ground in space.
+const AXES: usize = 3;
+
 /// A variable of an expression.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Leaf {
@@ -60,7 +63,7 @@ impl Leaf {
     /// The turns of a body about the axes of ground.
     #[must_use]
     pub fn turns_of(body: usize) -> [Leaf; 3] {
-        [0, 1, 2].map(|axis| Leaf::Turn((3 * body + axis) as u32))
+        [0, 1, 2].map(|axis| Leaf::Turn((AXES * body + axis) as u32))
     }
 
     /// True for the time and for inputs, which change with it.

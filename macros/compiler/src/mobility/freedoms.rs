@@ -60,7 +60,8 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern,
 fn passive_spin(model: &Model, system: &System) -> Option<(usize, [usize; 2])> {
     let declared = system.declared.as_ref()?;
     (0..model.bodies.len()).find_map(|body| {
-        let own = declared.equations.iter().filter(|equation| equation.jacobian.iter().any(|(speed, _)| speed / 6 == body));
+        let own =
+            declared.equations.iter().filter(|equation| equation.jacobian.iter().any(|(speed, _)| Ambient::Space.body_of(*speed) == body));
         let joints: Vec<usize> = own.map(|equation| equation.joint).collect::<BTreeSet<usize>>().into_iter().collect();
         let is_ball = |joint: &usize| {
             let of_it =

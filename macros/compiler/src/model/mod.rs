@@ -28,13 +28,28 @@ use std::collections::BTreeSet;
 /// Number of the first declared coordinate in space. Coordinates of the solution are different ones, numbered from 0.
 pub(crate) const DECLARED: u32 = 1 << 24;
 
+/// Number of a declared coordinate of a body in space.
+pub(crate) fn declared_coordinate(body: usize, at: usize) -> u32 {
+    DECLARED + (Role::SPACE.len() * body + at) as u32
+}
+
+/// Number of a declared speed of a body in space.
+pub(crate) fn declared_speed(body: usize, at: usize) -> u32 {
+    DECLARED + (Ambient::Space.first_speed(body) + at) as u32
+}
+
+/// Numbers of the declared angular speeds of a body in space.
+pub(crate) fn declared_turning(body: usize) -> [u32; 3] {
+    Ambient::Space.turning(body).map(|speed| DECLARED + speed as u32)
+}
+
 /// The speed equal to the rate of each declared coordinate in space. Components of orientations have no such speed: vectors fixed in a
 /// body are differentiated as a whole.
 pub(crate) fn declared_rates(coordinates: usize) -> Vec<Option<u32>> {
     let each = Role::SPACE.len();
     let rate = |number: usize| {
         let (body, at) = (number / each, number % each);
-        (at < 3).then(|| DECLARED + (6 * body + at) as u32)
+        Role::SPACE[at].is_position().then(|| declared_speed(body, at))
     };
     (0..coordinates).map(rate).collect()
 }

@@ -5,7 +5,7 @@ use crate::expr::{Evaluator, Expr, Values, evaluate};
 use crate::model::sketch::{Instantiation, JointArgument, LocalVector};
 use crate::model::{Function, Model};
 use crate::quantity::{Axis, Dim, Role};
-use crate::system::{COSINES, System};
+use crate::system::{COSINES, System, cosine};
 use reuleaux_picture::{Joint, Pose, Scene, Vector};
 
 /// The mechanism at one instant.
@@ -66,7 +66,7 @@ impl Composer<'_> {
         let places = self.known.coordinates.chunks(3).take(self.system.frames.len());
         let pose = |(place, rotation): (&[f64], &[f64])| {
             let at = |values: &[f64], index: usize| values.get(index).copied().unwrap_or(f64::NAN);
-            let row = |row: usize| [0, 1, 2].map(|column| at(rotation, 3 * row + column));
+            let row = |row: usize| [0, 1, 2].map(|column| at(rotation, cosine(0, row, column)));
             Pose::space([0, 1, 2].map(|axis| at(place, axis)), [row(0), row(1), row(2)])
         };
         places.zip(values.chunks(COSINES)).map(pose).collect()

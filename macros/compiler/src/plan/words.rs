@@ -3,7 +3,7 @@
 use super::shape::{Column, Shape};
 use crate::expr::Leaf;
 use crate::model::{Body, Model};
-use crate::quantity::Role;
+use crate::quantity::{Ambient, Role};
 use crate::system::{COSINES, System};
 use std::collections::BTreeSet;
 
@@ -49,7 +49,7 @@ impl Words {
         coordinates.extend((0..model.space.quantities.len()).map(|number| format!("joint_{number}")));
         let mut names: Vec<String> = coordinates.into_iter().chain(model.bodies.iter().flat_map(speeds)).collect();
         set_apart(&mut names);
-        let speeds = names.split_off(names.len() - 6 * model.bodies.len());
+        let speeds = names.split_off(names.len() - Ambient::Space.first_speed(model.bodies.len()));
         Words { coordinates: names, speeds, parameters: fields(model), fields: fields(model) }
     }
 

@@ -61,6 +61,33 @@ impl Ambient {
         }
     }
 
+    /// The solved coordinate with which a body begins. In space all positions come first.
+    #[must_use]
+    pub fn first_coordinate(self, body: usize) -> usize {
+        match self {
+            Ambient::Plane => Role::PLANE.len() * body,
+            Ambient::Space => self.components() * body,
+        }
+    }
+
+    /// The speed with which a body begins.
+    #[must_use]
+    pub fn first_speed(self, body: usize) -> usize {
+        self.speeds().len() * body
+    }
+
+    /// The body that a speed belongs to.
+    #[must_use]
+    pub fn body_of(self, speed: usize) -> usize {
+        speed / self.speeds().len()
+    }
+
+    /// The speeds of a body in space about the axes of ground.
+    #[must_use]
+    pub fn turning(self, body: usize) -> [usize; 3] {
+        [0, 1, 2].map(|axis| self.first_speed(body) + self.components() + axis)
+    }
+
     /// Coordinate of a body by its name in the language.
     pub(crate) fn coordinate(self, name: &str) -> Option<Role> {
         self.named().find(|role| role.name() == name)

@@ -12,7 +12,7 @@ use super::elaborate::Elaborator;
 use super::statement::ScalarEquation;
 use crate::diag::{ArityFact, EquationFact, ValueFact, Wanted};
 use crate::expr::{Expr, Jets, Leaf, Node, Seed, derivative};
-use crate::model::{DECLARED, declared_rates};
+use crate::model::{DECLARED, declared_rates, declared_turning};
 use crate::names::{FrameId, Scalar, Scope, Value, Vector};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast;
@@ -68,8 +68,8 @@ impl Elaborator<'_> {
                 Value::Scalar(Scalar { expr, measure })
             }
             (Ambient::Space, Some(body)) => {
-                let speed = |k: u32| self.arena.leaf(Leaf::Speed(DECLARED + 6 * body as u32 + 3 + k));
-                Value::Vector(Vector { parts: Components::space([0, 1, 2].map(speed)), measure })
+                let speeds = declared_turning(body).map(|speed| self.arena.leaf(Leaf::Speed(speed)));
+                Value::Vector(Vector { parts: Components::space(speeds), measure })
             }
             (Ambient::Space, None) => Value::Vector(Vector { parts: Components::space([zero; 3]), measure }),
         }

@@ -7,8 +7,8 @@
 
 use super::dynamics;
 use crate::expr::{Arena, Expr, Leaf, cross, derivative};
-use crate::model::{DECLARED, Force, Model};
-use crate::quantity::{Ambient, Role};
+use crate::model::{Force, Model, declared_coordinate};
+use crate::quantity::Ambient;
 
 /// Forces by speed, and energies.
 #[derive(Clone, Debug)]
@@ -42,10 +42,11 @@ impl Balance {
         let zero = arena.integer(0);
         let mut forces = vec![zero; unknowns];
         for (body, frame) in frames.iter().enumerate() {
-            for axis in 0..3 {
-                forces[3 * body + axis] = self.forces[6 * body + axis];
+            let (position, speed) = (Ambient::Space.first_coordinate(body), Ambient::Space.first_speed(body));
+            for axis in 0..Ambient::Space.components() {
+                forces[position + axis] = self.forces[speed + axis];
                 let spin = arena.frame(*frame).velocity[axis];
-                let torque = self.forces[6 * body + 3 + axis];
+                let torque = self.forces[speed + Ambient::Space.components() + axis];
                 if let Some(first) = arena.spins(*frame) {
                     let own = first as usize + axis;
                     forces[own] = arena.add(forces[own], torque);
@@ -144,6 +145,6 @@ fn speed(model: &Model, arena: &mut Arena, body: usize, offset: usize) -> Expr {
 fn coordinate(model: &Model, body: usize, axis: usize) -> u32 {
     match model.ambient {
         Ambient::Plane => dynamics::number(model, body, axis),
-        Ambient::Space => DECLARED + (Role::SPACE.len() * body + axis) as u32,
+        Ambient::Space => declared_coordinate(body, axis),
     }
 }

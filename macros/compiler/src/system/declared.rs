@@ -9,8 +9,8 @@
 use super::rows::{Differentiation, Row};
 use super::{Equation, Level};
 use crate::expr::{Arena, Expr, Leaf, Seed, Substitution};
-use crate::model::{DECLARED, Model, declared_rates};
-use crate::quantity::Role;
+use crate::model::{DECLARED, Model, declared_coordinate, declared_rates};
+use crate::quantity::{Role, SpeedRole};
 use std::collections::HashMap;
 
 /// Equations by the coordinates and speeds of bodies in space.
@@ -27,7 +27,7 @@ pub struct DeclaredEquations {
 }
 
 /// Coordinates of a body, and speeds.
-const EACH: [usize; 2] = [Role::SPACE.len(), 6];
+const EACH: [usize; 2] = [Role::SPACE.len(), SpeedRole::SPACE.len()];
 
 /// Differentiates every residual of a model in space.
 pub(super) fn declared(model: &Model) -> DeclaredEquations {
@@ -44,7 +44,7 @@ pub(super) fn equations<'a>(model: &Model, arena: &mut Arena, rows: impl Iterato
     let bodies = model.bodies.len();
     let by = |speed: usize| {
         let (body, at) = (speed / EACH[1], speed % EACH[1]);
-        if at < 3 { Leaf::Coordinate(DECLARED + (EACH[0] * body + at) as u32) } else { Leaf::turns_of(body)[at - 3] }
+        if at < 3 { Leaf::Coordinate(declared_coordinate(body, at)) } else { Leaf::turns_of(body)[at - 3] }
     };
     let seed = Seed::constant_speeds(declared_rates(EACH[0] * bodies)).numbered_from(DECLARED);
     let mut derivatives = Differentiation::new((0..EACH[1] * bodies).map(by), seed, DECLARED);

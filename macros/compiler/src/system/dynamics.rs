@@ -10,8 +10,8 @@
 
 use super::own_axes;
 use crate::expr::{Arena, Expr, Leaf, Triple, combination, cross, derivative, dot};
-use crate::model::{DECLARED, Force, Mass, Model};
-use crate::quantity::{Ambient, Role};
+use crate::model::{Force, Mass, Model, declared_coordinate, declared_speed};
+use crate::quantity::Ambient;
 
 /// f of every body; `None` if there is neither a mass nor a force.
 ///
@@ -48,7 +48,7 @@ fn add_slopes(model: &Model, arena: &mut Arena, energy: Expr, (spins, work): (&[
         }
         let by = match model.ambient {
             Ambient::Plane => Leaf::Coordinate(number(model, body, offset)),
-            Ambient::Space if offset < 3 => Leaf::Coordinate(DECLARED + (Role::SPACE.len() * body + offset) as u32),
+            Ambient::Space if offset < 3 => Leaf::Coordinate(declared_coordinate(body, offset)),
             Ambient::Space => Leaf::turns_of(body)[offset - 3],
         };
         let slope = derivative(arena, energy, by);
@@ -60,7 +60,7 @@ fn add_slopes(model: &Model, arena: &mut Arena, energy: Expr, (spins, work): (&[
 pub(super) fn number(model: &Model, body: usize, offset: usize) -> u32 {
     match model.ambient {
         Ambient::Plane => (model.bodies[body].first + offset) as u32,
-        Ambient::Space => DECLARED + (6 * body + offset) as u32,
+        Ambient::Space => declared_speed(body, offset),
     }
 }
 

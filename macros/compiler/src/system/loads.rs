@@ -7,10 +7,10 @@
 //! Leaves are the entries of a state: in space those of the rotation matrices, ω and ω̇ stand behind the unknowns.
 
 use super::rows::Row;
-use super::{COSINES, Equation, balance, declared, dynamics};
+use super::{COSINES, Equation, balance, cosine, declared, dynamics};
 use crate::expr::{Arena, Binary, Expr, Leaf, Mark, Node, Substitution, Triple, combination, derivative};
 use crate::model::{DECLARED, JointQuantity, Model};
-use crate::quantity::{Dim, Role};
+use crate::quantity::{Ambient, Dim, Role};
 use std::collections::HashMap;
 
 /// Forces that joints and drives have to supply: M u̇ − Q.
@@ -131,8 +131,7 @@ impl LoadEquations {
 fn turned(arena: &mut Arena, frames: &[usize], unknowns: usize, vector: u32, axis: usize) -> Option<Expr> {
     let (frame, local) = arena.vector(vector);
     let body = frames.iter().position(|own| *own == frame)?;
-    let columns =
-        [0, 1, 2].map(|column| [0, 1, 2].map(|row| arena.leaf(Leaf::Coordinate((unknowns + COSINES * body + 3 * row + column) as u32))));
+    let columns = [0, 1, 2].map(|column| [0, 1, 2].map(|row| arena.leaf(Leaf::Coordinate((unknowns + cosine(body, row, column)) as u32))));
     Some(combination(arena, local, columns)[axis])
 }
 
@@ -200,7 +199,7 @@ impl JointAngles {
         let leaves = arena.leaves(row.residual);
         for angle in self.known.iter().filter(|angle| leaves.contains(&angle.leaf)) {
             let slope = derivative(arena, row.residual, angle.leaf);
-            for (speed, part) in angle.turns.iter().flat_map(|(body, axis)| (0..3).map(move |k| (6 * body + 3 + k, axis[k]))) {
+            for (speed, part) in angle.turns.iter().flat_map(|(body, axis)| Ambient::Space.turning(*body).into_iter().zip(*axis)) {
                 let product = arena.mul(slope, part);
                 match equation.jacobian.iter_mut().find(|(known, _)| *known == speed) {
                     Some((_, entry)) => *entry = arena.add(*entry, product),

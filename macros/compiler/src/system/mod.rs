@@ -149,6 +149,14 @@ impl Equation {
 /// Entries of a rotation matrix, which a state holds for each body in space.
 pub(crate) const COSINES: usize = 9;
 
+/// The same for each of its coordinates of positions.
+pub(crate) const COSINES_OF_POSITION: usize = 3;
+
+/// Entry of the rotation matrix of a body, behind the coordinates.
+pub(crate) fn cosine(body: usize, row: usize, column: usize) -> usize {
+    COSINES * body + COSINES_OF_POSITION * row + column
+}
+
 impl System {
     /// Number of entries of a state: the coordinates, and in space the rotation matrices of the bodies.
     #[must_use]
@@ -173,7 +181,8 @@ impl System {
     pub(crate) fn loop_of(&self, joint: usize) -> BTreeSet<usize> {
         let Some(declared) = &self.declared else { return BTreeSet::new() };
         let own = declared.equations.iter().filter(|equation| equation.joint == joint);
-        let bodies: BTreeSet<usize> = own.flat_map(|equation| equation.jacobian.iter().map(|(speed, _)| speed / 6)).collect();
+        let bodies: BTreeSet<usize> =
+            own.flat_map(|equation| equation.jacobian.iter().map(|(speed, _)| Ambient::Space.body_of(*speed))).collect();
         let mut joints = BTreeSet::new();
         for mut body in bodies {
             // Joints on the ways of both bodies are not in the loop.

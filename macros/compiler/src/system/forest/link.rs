@@ -14,7 +14,7 @@ use super::super::rows::Row;
 use super::Forest;
 use crate::expr::{Exact, Expr, Frame, Jets, Leaf, Seed, Triple, cross, derivative, dot};
 use crate::model::{DECLARED, Place, Relationship, Triad};
-use crate::quantity::{Dim, Role};
+use crate::quantity::{Ambient, Dim, Role};
 use crate::syntax::ast::Task;
 use std::collections::BTreeSet;
 
@@ -103,7 +103,7 @@ impl Forest<'_> {
         let mut rows = vec![Vec::new(); self.model.bodies.len()];
         let body = |leaf: Leaf| match leaf {
             Leaf::Coordinate(number) => Some(number.checked_sub(DECLARED)? as usize / Role::SPACE.len()),
-            Leaf::Speed(number) => Some(number.checked_sub(DECLARED)? as usize / 6),
+            Leaf::Speed(number) => Some(Ambient::Space.body_of(number.checked_sub(DECLARED)? as usize)),
             _ => None,
         };
         for (joint, declared) in self.model.joints.iter().enumerate() {

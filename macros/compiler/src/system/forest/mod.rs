@@ -20,7 +20,7 @@ use super::rows::Row;
 use super::{Balance, Choice, Coordinate, LoadEquations};
 use crate::expr::{Arena, Expr, Leaf, Triple};
 use crate::model::{DECLARED, Model, Place, Relationship, Triad};
-use crate::quantity::{Axis, Role};
+use crate::quantity::{Ambient, Axis, Role};
 use crate::syntax::ast::Task;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -122,7 +122,7 @@ impl Forest<'_> {
 
     /// Position of a body.
     fn origin(&mut self, body: usize) -> Triple {
-        [0, 1, 2].map(|axis| self.arena.leaf(Leaf::Coordinate((3 * body + axis) as u32)))
+        [0, 1, 2].map(|axis| self.arena.leaf(Leaf::Coordinate((Ambient::Space.first_coordinate(body) + axis) as u32)))
     }
 
     /// A new unknown.

@@ -4,7 +4,7 @@ use super::super::rows::Row;
 use super::Forest;
 use crate::expr::{Binary, Expr, Leaf, Mark, Node, dot};
 use crate::model::{DECLARED, JointQuantity, Place, Triad};
-use crate::quantity::{Dim, Role};
+use crate::quantity::{Ambient, Dim, Role, SpeedRole};
 use std::collections::BTreeSet;
 
 impl Forest<'_> {
@@ -87,7 +87,7 @@ impl Forest<'_> {
             let new = match node {
                 Node::Leaf(Leaf::Coordinate(number)) if number >= DECLARED => {
                     let (body, role) = ((number - DECLARED) as usize / Role::SPACE.len(), (number - DECLARED) as usize % Role::SPACE.len());
-                    self.arena.leaf(Leaf::Coordinate((3 * body + role) as u32))
+                    self.arena.leaf(Leaf::Coordinate((Ambient::Space.first_coordinate(body) + role) as u32))
                 }
                 Node::Leaf(Leaf::Speed(number)) if number >= DECLARED => self.speed((number - DECLARED) as usize),
                 Node::Leaf(Leaf::Acceleration(number)) if number >= DECLARED => self.acceleration((number - DECLARED) as usize),
@@ -108,9 +108,9 @@ impl Forest<'_> {
 
     /// A declared speed in the rates of the unknowns.
     fn speed(&mut self, number: usize) -> Expr {
-        let (body, at) = (number / 6, number % 6);
-        match (at.checked_sub(3), self.frames[body]) {
-            (None, _) => self.arena.leaf(Leaf::Speed((3 * body + at) as u32)),
+        let (body, at) = (number / SpeedRole::SPACE.len(), number % SpeedRole::SPACE.len());
+        match (at.checked_sub(Ambient::Space.components()), self.frames[body]) {
+            (None, _) => self.arena.leaf(Leaf::Speed((Ambient::Space.first_coordinate(body) + at) as u32)),
             (Some(axis), Some(frame)) => self.arena.frame(frame).velocity[axis],
             (Some(_), None) => self.arena.integer(0),
         }
@@ -118,9 +118,9 @@ impl Forest<'_> {
 
     /// A declared acceleration in those of the unknowns.
     fn acceleration(&mut self, number: usize) -> Expr {
-        let (body, at) = (number / 6, number % 6);
-        match (at.checked_sub(3), self.frames[body]) {
-            (None, _) => self.arena.leaf(Leaf::Acceleration((3 * body + at) as u32)),
+        let (body, at) = (number / SpeedRole::SPACE.len(), number % SpeedRole::SPACE.len());
+        match (at.checked_sub(Ambient::Space.components()), self.frames[body]) {
+            (None, _) => self.arena.leaf(Leaf::Acceleration((Ambient::Space.first_coordinate(body) + at) as u32)),
             (Some(axis), Some(frame)) => self.arena.frame(frame).acceleration[axis],
             (Some(_), None) => self.arena.integer(0),
         }

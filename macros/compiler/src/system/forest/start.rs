@@ -4,7 +4,7 @@ use super::Forest;
 use crate::expr::{Arena, Binary, Expr, Leaf, Substitution, Triple, combination, dot};
 use crate::geometry::rotation;
 use crate::model::{Place, Relationship, Triad};
-use crate::quantity::Role;
+use crate::quantity::{Ambient, Role};
 
 /// A vector is parallel to an axis if the square of its part across the axis is at most this share of its own square.
 const ALONG: f64 = 1e-12;
@@ -51,7 +51,7 @@ impl Forest<'_> {
     /// Declared position of a body at the start.
     fn origin_at_start(&mut self, body: usize) -> Triple {
         let zero = self.arena.integer(0);
-        [0, 1, 2].map(|k| self.coordinates[3 * body + k].start.unwrap_or(zero))
+        [0, 1, 2].map(|k| self.coordinates[Ambient::Space.first_coordinate(body) + k].start.unwrap_or(zero))
     }
 
     /// Angle of the second triad against the first at the declared start; `None` if it is zero.
