@@ -10,10 +10,10 @@ const DEPENDENT: f64 = 0.01;
 /// Known pivots are taken again as long as none falls below this fraction of its size when they were chosen.
 pub(super) const WORSE: f64 = 0.1;
 
-/// The same from step to step: what is corrected there stays, so that pivots have to be about as good as those chosen anew.
+/// The same for pivots kept from step to step: a projection moves dependent coordinates for good, and by small pivots it moves them far.
 pub(super) const ABOUT_AS_GOOD: f64 = 0.5;
 
-/// Entries of a row that are so few that it costs less to subtract all than those that count.
+/// Rows of at most so many entries are subtracted as a whole, which costs less than to begin behind the pivot.
 const SHORT: usize = 12;
 
 /// Rows J x = b solved for dependent unknowns, by Gauss-Jordan elimination.
@@ -61,7 +61,7 @@ impl<T, const M: usize, const I: usize> Pivots<T, M, I> {
         self.rows.iter().take(self.count).any(|own| *own == row)
     }
 
-    /// Whether both have the same order, and pivots of the same signs.
+    /// True if both have the same order, and pivots of the same signs.
     pub(super) fn agree_with(&self, other: &Self) -> bool {
         self.count == other.count && self.rows == other.rows && self.unknowns == other.unknowns && self.signs == other.signs
     }
@@ -184,7 +184,7 @@ impl<T: Float, const M: usize, const I: usize> Partition<T, M, I> {
         let pivot = own.get(k).copied().unwrap_or(T::ZERO);
         let inverse = T::of(1.0) / pivot;
         let (own, side) = (own.map(|entry| entry * inverse), side * inverse);
-        // Entries before the pivot are not read again; short rows are subtracted as a whole, several entries at a time.
+        // Entries before the pivot are not read again.
         let first = if I <= SHORT { 0 } else { k + 1 };
         for (row, (entries, value)) in self.rows.iter_mut().zip(&mut self.side).enumerate().take(count) {
             if row == k {

@@ -7,10 +7,10 @@ use super::functions::Emitter;
 use super::literal::number;
 use super::routine::{RoutinePrinter, lines_at, lines_of_state};
 use super::slices::plain;
+use super::state::body_view;
 use super::{docs, docs_or, state_path};
 use crate::model::{Method, Output};
 use crate::plan::{OutputCode, Outputs, Routine, Shape, Words};
-use crate::system::COSINES_OF_POSITION;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
@@ -24,8 +24,8 @@ impl Emitter<'_> {
     }
 
     /// In space: where the orientations begin in a state.
-    fn orientations(&self) -> Option<TokenStream> {
-        (!self.system.frames.is_empty()).then(|| number(self.system.coordinates.len()))
+    fn orientations(&self) -> Option<usize> {
+        (!self.system.frames.is_empty()).then_some(self.system.coordinates.len())
     }
 
     /// The method of an output; `slice` is the number of its slice, if it has one.
@@ -35,11 +35,7 @@ impl Emitter<'_> {
         let body = match outputs {
             Outputs::Bodies(bodies) => {
                 let places: Vec<usize> = bodies.iter().map(|body| self.model.ambient.first_coordinate(*body)).collect();
-                let each = number(COSINES_OF_POSITION);
-                array_at(&places, &method.sizes, |place| match self.orientations() {
-                    Some(first) => quote!(state.spatial_body(#place, #first + #each * (#place))),
-                    None => quote!(state.planar_body(#place)),
-                })
+                array_at(&places, &method.sizes, |place| body_view(&quote!(state), &place, self.orientations()))
             }
             Outputs::Each(outputs) => self.each(method, outputs),
             Outputs::Alike(alike) => self.alike(method, &alike.0, &alike.1),

@@ -6,7 +6,7 @@ use super::parameters::{apart, holders};
 use super::{allowed, docs, docs_or, state_name};
 use crate::model::{Field, Layout, Of, Part};
 use crate::quantity::Ambient;
-use crate::system::COSINES_OF_POSITION;
+use crate::system::COSINES;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
@@ -44,11 +44,7 @@ impl<'a> Accessors<'a> {
 
     /// A body of a state, by the place of its origin.
     fn view_of(&self, state: TokenStream, place: TokenStream) -> TokenStream {
-        let each = number(COSINES_OF_POSITION);
-        match self.orientations.map(number) {
-            Some(first) => quote!(#state.spatial_body(#place, #first + #each * (#place))),
-            None => quote!(#state.planar_body(#place)),
-        }
+        body_view(&state, &place, self.orientations)
     }
 
     /// The view of a component's part, `WalkerStateLeg`.
@@ -133,6 +129,17 @@ impl<'a> Accessors<'a> {
     /// Where the coordinates of some bodies begin, from the first of a part's own.
     fn places(&self, part: &Part, members: &[usize], body: impl Fn(usize) -> usize) -> Vec<usize> {
         members.iter().map(|member| self.ambient().first_coordinate(body(*member) - part.first)).collect()
+    }
+}
+
+/// A body of a state, by the place of its origin, and in space by where orientations begin.
+pub(super) fn body_view(state: &TokenStream, place: &TokenStream, orientations: Option<usize>) -> TokenStream {
+    match orientations.map(number) {
+        Some(first) => {
+            let each = number(COSINES / Ambient::Space.components());
+            quote!(#state.spatial_body(#place, #first + #each * (#place)))
+        }
+        None => quote!(#state.planar_body(#place)),
     }
 }
 

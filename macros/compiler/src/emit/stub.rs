@@ -49,12 +49,17 @@ pub(crate) fn fallback(tree: &Mechanism, wanted: &Use) -> TokenStream {
     }
 }
 
+/// Number of coordinates of all bodies.
+fn coordinates(tree: &Mechanism, promised: &Outline) -> usize {
+    tree.ambient.first_coordinate(promised.bodies)
+}
+
 /// All that a mechanism promises; `body` stands in every function.
 fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> TokenStream {
     let Mechanism { name, .. } = tree;
     let (state, failure) = (format_ident!("{}State", name), format_ident!("{}Failure", name));
     let promised = outline(tree);
-    let n = tree.ambient.first_coordinate(promised.bodies);
+    let n = coordinates(tree, &promised);
     let (structure, equations) = (structure(tree, &promised.layout, visibility), equations(name, n, body));
     let accessors = accessors(tree, &promised.layout, visibility, n, body);
     let inputs = has_inputs(tree).then(|| type_name(name));
@@ -88,8 +93,7 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
             #points
         }
     });
-    let drawable =
-        tree.requests.picture.as_ref().map(|word| scene::implementation(word, name, tree.ambient.first_coordinate(promised.bodies), body));
+    let drawable = tree.requests.picture.as_ref().map(|word| scene::implementation(word, name, coordinates(tree, &promised), body));
     quote! {
         #structure
         #state
@@ -347,7 +351,7 @@ fn no_plan() -> TokenStream {
 
 /// The slices upstream of outputs: the methods and their types.
 fn slices(tree: &Mechanism, promised: &Outline, visibility: &TokenStream, body: &TokenStream) -> (TokenStream, TokenStream) {
-    let (mechanism, n, plan) = (&tree.name, number(tree.ambient.first_coordinate(promised.bodies)), no_plan());
+    let (mechanism, n, plan) = (&tree.name, number(coordinates(tree, promised)), no_plan());
     let slice = |(order, method): (usize, &Method)| {
         let (word, order, value) = (plain(&method.name), number(order), motion(tree, promised, method));
         let [name, state] = ["", "State"].map(|what| slice_name(&format_ident!("{mechanism}{what}"), &promised.methods, &word));

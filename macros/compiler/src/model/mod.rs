@@ -20,7 +20,7 @@ pub use solid::Solid;
 
 use crate::diag::Warning;
 use crate::expr::{Arena, Expr, Leaf};
-use crate::quantity::{Ambient, Dim, Role};
+use crate::quantity::{Ambient, Dim, Role, SpeedRole};
 use crate::syntax::ast::{Closing, Docs, Following, Relation, Requests, Task};
 use proc_macro2::{Ident, TokenStream};
 use std::collections::BTreeSet;
@@ -39,8 +39,8 @@ pub(crate) fn declared_speed(body: usize, at: usize) -> u32 {
 }
 
 /// Numbers of the declared angular speeds of a body in space.
-pub(crate) fn declared_turning(body: usize) -> [u32; 3] {
-    Ambient::Space.turning(body).map(|speed| DECLARED + speed as u32)
+pub(crate) fn declared_angular(body: usize) -> [u32; 3] {
+    SpeedRole::angular(body).map(|speed| DECLARED + speed as u32)
 }
 
 /// The speed equal to the rate of each declared coordinate in space. Components of orientations have no such speed: vectors fixed in a

@@ -76,16 +76,10 @@ impl Ambient {
         self.speeds().len() * body
     }
 
-    /// The body that a speed belongs to.
+    /// The body that has a speed.
     #[must_use]
     pub fn body_of(self, speed: usize) -> usize {
         speed / self.speeds().len()
-    }
-
-    /// The speeds of a body in space about the axes of ground.
-    #[must_use]
-    pub fn turning(self, body: usize) -> [usize; 3] {
-        [0, 1, 2].map(|axis| self.first_speed(body) + self.components() + axis)
     }
 
     /// Coordinate of a body by its name in the language.
@@ -206,6 +200,13 @@ pub enum SpeedRole {
 }
 
 impl SpeedRole {
+    /// The angular speeds of a body in space.
+    #[must_use]
+    pub fn angular(body: usize) -> [usize; 3] {
+        let first = Ambient::Space.first_speed(body) + Ambient::Space.components();
+        [0, 1, 2].map(|axis| first + axis)
+    }
+
     /// The speeds of a body in the plane, in their order in u.
     pub const PLANE: [SpeedRole; 3] = [SpeedRole::Linear(Axis::X), SpeedRole::Linear(Axis::Y), SpeedRole::Angular(Axis::Z)];
 

@@ -11,7 +11,7 @@ use super::statement::ScalarEquation;
 use crate::diag::{ArityFact, Range, ValueFact, Wanted};
 use crate::expr::{Expr, Frame, Leaf, Mark, Node, Triple, cross, dot};
 use crate::geometry::{Components, Geometry, JointQuantity, Place, Relationship, Triad, Turn, rotation};
-use crate::model::{DECLARED, declared_turning};
+use crate::model::{DECLARED, declared_angular};
 use crate::names::{Arguments, Fixed, FrameId, Scalar, Scope, Value, Vector};
 use crate::quantity::{Dim, InferredDim, Role};
 use crate::syntax::ast::{self, Statement};
@@ -45,7 +45,7 @@ impl Elaborator<'_> {
         let &[w, x, y, z] = quaternion else { return };
         let columns = rotation(&mut self.arena, [w, x, y, z]).0;
         let zero = self.arena.integer(0);
-        let speed = |leaf: fn(u32) -> Leaf| declared_turning(body as usize).map(leaf);
+        let speed = |leaf: fn(u32) -> Leaf| declared_angular(body as usize).map(leaf);
         let velocity = speed(Leaf::Speed).map(|leaf| self.arena.leaf(leaf));
         let acceleration = speed(Leaf::Acceleration).map(|leaf| self.arena.leaf(leaf));
         let acceleration_at_constant_speeds = [zero; 3];

@@ -12,7 +12,7 @@ use super::elaborate::Elaborator;
 use super::statement::ScalarEquation;
 use crate::diag::{ArityFact, EquationFact, ValueFact, Wanted};
 use crate::expr::{Expr, Jets, Leaf, Node, Seed, derivative};
-use crate::model::{DECLARED, declared_rates, declared_turning};
+use crate::model::{DECLARED, declared_angular, declared_rates};
 use crate::names::{FrameId, Scalar, Scope, Value, Vector};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast;
@@ -68,7 +68,7 @@ impl Elaborator<'_> {
                 Value::Scalar(Scalar { expr, measure })
             }
             (Ambient::Space, Some(body)) => {
-                let speeds = declared_turning(body).map(|speed| self.arena.leaf(Leaf::Speed(speed)));
+                let speeds = declared_angular(body).map(|speed| self.arena.leaf(Leaf::Speed(speed)));
                 Value::Vector(Vector { parts: Components::space(speeds), measure })
             }
             (Ambient::Space, None) => Value::Vector(Vector { parts: Components::space([zero; 3]), measure }),

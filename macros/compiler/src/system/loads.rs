@@ -10,7 +10,7 @@ use super::rows::Row;
 use super::{COSINES, Equation, balance, cosine, declared, dynamics};
 use crate::expr::{Arena, Binary, Expr, Leaf, Mark, Node, Substitution, Triple, combination, derivative};
 use crate::model::{DECLARED, JointQuantity, Model};
-use crate::quantity::{Ambient, Dim, Role};
+use crate::quantity::{Dim, Role, SpeedRole};
 use std::collections::HashMap;
 
 /// Forces that joints and drives have to supply: M u̇ − Q.
@@ -199,7 +199,7 @@ impl JointAngles {
         let leaves = arena.leaves(row.residual);
         for angle in self.known.iter().filter(|angle| leaves.contains(&angle.leaf)) {
             let slope = derivative(arena, row.residual, angle.leaf);
-            for (speed, part) in angle.turns.iter().flat_map(|(body, axis)| Ambient::Space.turning(*body).into_iter().zip(*axis)) {
+            for (speed, part) in angle.turns.iter().flat_map(|(body, axis)| SpeedRole::angular(*body).into_iter().zip(*axis)) {
                 let product = arena.mul(slope, part);
                 match equation.jacobian.iter_mut().find(|(known, _)| *known == speed) {
                     Some((_, entry)) => *entry = arena.add(*entry, product),

@@ -149,12 +149,12 @@ impl Equation {
 /// Entries of a rotation matrix, which a state holds for each body in space.
 pub(crate) const COSINES: usize = 9;
 
-/// The same for each of its coordinates of positions.
-pub(crate) const COSINES_OF_POSITION: usize = 3;
+/// Entries of one of its rows.
+const ROW: usize = 3;
 
-/// Entry of the rotation matrix of a body, behind the coordinates.
+/// Number of an entry of the rotation matrix of a body, counted from the first matrix.
 pub(crate) fn cosine(body: usize, row: usize, column: usize) -> usize {
-    COSINES * body + COSINES_OF_POSITION * row + column
+    COSINES * body + ROW * row + column
 }
 
 impl System {
