@@ -178,7 +178,7 @@ impl Display for SystemFact {
                     _ if joints.is_empty() => write!(f, "\nnote: they determine {}", list(coordinates))?,
                     _ => {}
                 }
-                write!(f, "\nhelp: a freedom is what nothing else determines: take {} away", list(declared_free))?;
+                write!(f, "\nhelp: nothing else may determine a freedom: take {} away", list(declared_free))?;
                 if free.is_empty() { Ok(()) } else { write!(f, ", or declare {}", list(free)) }
             }
             SystemFact::DrivesContend { drives, freedoms, joints, coordinates, free, in_space, .. } => {
