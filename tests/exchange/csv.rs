@@ -4,7 +4,7 @@ use std::convert::Infallible;
 use std::io::{self, Write};
 
 use reuleaux::csv::{self, Unwritten};
-use reuleaux::{Mechanism, Motion, Outputs, mechanism};
+use reuleaux::{Mechanism, Motion, OutputName, Outputs, mechanism};
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
@@ -230,7 +230,7 @@ fn a_component_has_an_index_by_name() -> Outcome {
     let outputs: [Motion<f64>; 10] = toggle.outputs(&state);
     assert_eq!(outputs[PIN_Y].value, toggle.pin(&state).value.y);
     assert_eq!(Toggle::<f64>::OUTPUTS.index("pin.z"), None);
-    assert_eq!(Toggle::<f64>::OUTPUTS.0[PIN_Y].units, ["m", "m/s", "m/s²"]);
+    assert_eq!(Toggle::<f64>::OUTPUTS.0[PIN_Y].units, ["m", "m/s", "m/s²", OutputName::NO_UNIT]);
     // y = √(bar² − x²), where x is half the driven distance.
     let (varied, there) = toggle.derivatives(&state, |toggle| [&mut toggle.bar])?;
     let by = varied.outputs(&ToggleState(there))[PIN_Y].value.by[0];

@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use num_dual::{Dual3_64, DualNum, third_derivative};
-use reuleaux::{Mechanism, MotionWithJerk, Outputs, mechanism};
+use reuleaux::{Mechanism, MotionWithJerk, Outputs, csv, mechanism};
 
 use crate::near;
 
@@ -147,11 +147,53 @@ fn jerks_have_derivatives_by_parameters() -> Outcome {
 }
 
 #[test]
-fn lists_have_the_motion_without_the_jerk() -> Outcome {
+fn lists_have_jerks_where_outputs_have_them() -> Outcome {
+    const NAMES: [&str; 4] = ["rocking", "tip.y", "plain.x", "ends[1].x"];
+    let mechanism = CrankRocker::default();
+    let state = mechanism.solve(0.4)?;
+    let (list, motions) = (mechanism.outputs_with_jerk(&state), mechanism.outputs(&state));
+    let [rocking, tip, plain, end] = NAMES.map(|name| CrankRocker::<f64>::OUTPUTS.index(name).unwrap());
+
+    assert_eq!(list[rocking], mechanism.rocking(&state));
+    assert_eq!(list[tip].jerk, mechanism.tip(&state).jerk.y);
+    assert_eq!(list[end].jerk, mechanism.ends(&state)[1].jerk.x);
+    assert_eq!(list[plain].motion(), motions[plain]);
+    assert!(list[plain].jerk.is_nan());
+    assert_eq!(motions[rocking], mechanism.rocking(&state).motion());
+
+    let names = CrankRocker::<f64>::OUTPUTS.0;
+    assert_eq!(names[tip].units, ["m", "m/s", "m/s²", "m/s³"]);
+    assert_eq!([rocking, tip, plain, end].map(|index| names[index].has_jerk()), [true, true, false, true]);
+    Ok(())
+}
+
+#[test]
+fn lists_have_derivatives_of_jerks_by_parameters() -> Outcome {
     const ROCKING: usize = CrankRocker::<f64>::OUTPUTS.index("rocking").unwrap();
     let mechanism = CrankRocker::default();
     let state = mechanism.solve(0.4)?;
-    assert_eq!(mechanism.outputs(&state)[ROCKING], mechanism.rocking(&state).motion());
+    let (varied, varied_state) = mechanism.derivatives(&state, |mechanism| [&mut mechanism.crank_length])?;
+    let varied_state = CrankRockerState(varied_state);
+    assert_eq!(varied.outputs_with_jerk(&varied_state)[ROCKING].jerk.by, varied.rocking(&varied_state).jerk.by);
+    Ok(())
+}
+
+#[test]
+fn tables_have_a_column_of_jerks_where_outputs_have_them() -> Outcome {
+    let mechanism = CrankRocker::default();
+    let mut table = Vec::new();
+    csv::write_outputs(&mut table, &mechanism, mechanism.sweep([0.0, 0.4]))?;
+    let table = String::from_utf8(table)?;
+    let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
+    assert!(rows.iter().all(|row| row.len() == rows[0].len()));
+
+    let column = |name: &str| rows[0].iter().position(|title| *title == name);
+    let jerk = column("tip.y jerk (m/s³)").ok_or("no jerk")?;
+    let ([_, y], state) = (tip(Dual3_64::from_re(0.4).derivative()), mechanism.solve(0.4)?);
+    assert_eq!(rows[2][jerk].parse(), Ok(mechanism.tip(&state).jerk.y));
+    near(rows[2][jerk].parse()?, y.v3, 1e-10);
+    assert_eq!(column("rocking jerk (rad/s³)"), column("rocking acceleration (rad/s²)").map(|before| before + 1));
+    assert_eq!(column("plain.x jerk (m/s³)"), None);
     Ok(())
 }
 

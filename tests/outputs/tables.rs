@@ -20,8 +20,8 @@ fn the_list_says_that_a_velocity_has_no_acceleration() -> Result<(), Box<dyn std
     const RATIO: usize = Crank::<f64>::OUTPUTS.index("ratio").unwrap();
     const PIN: usize = Crank::<f64>::OUTPUTS.index("pin").unwrap();
     let names = Crank::<f64>::OUTPUTS.0;
-    assert_eq!(names[SPEED].units, ["m/s", "m/s²", OutputName::NO_UNIT]);
-    assert_eq!(names[RATIO].units, ["", "1/s", OutputName::NO_UNIT]);
+    assert_eq!(names[SPEED].units, ["m/s", "m/s²", OutputName::NO_UNIT, OutputName::NO_UNIT]);
+    assert_eq!(names[RATIO].units, ["", "1/s", OutputName::NO_UNIT, OutputName::NO_UNIT]);
     assert_eq!([SPEED, RATIO, PIN].map(|index| names[index].has_acceleration()), [false, false, true]);
     let crank = Crank::default();
     let outputs = crank.outputs(&crank.solve(0.0)?);

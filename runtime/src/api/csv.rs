@@ -37,7 +37,7 @@ use std::io::{self, Write};
 use super::outputs::{OutputName, OutputNames, Outputs};
 use crate::names::{Coordinate, CoordinateKind, Description};
 use crate::number::Float;
-use crate::state::{Motion, State};
+use crate::state::{Motion, MotionWithJerk, State};
 
 /// Why a table ends before the last state. `{:?}` is the sentence, as `{}` is.
 pub enum Unwritten<E> {
@@ -47,7 +47,7 @@ pub enum Unwritten<E> {
     Io(io::Error),
 }
 
-/// Writes a motion: time, the coordinates, and the outputs, with rates and accelerations.
+/// Writes a motion: time, the coordinates, and the outputs, with rates and accelerations, and with jerks where outputs are declared so.
 ///
 /// * `to`: given, a file, a `Vec<u8>` or the like; files should be buffered.
 /// * `mechanism`: given, declared with `#[outputs]`.
@@ -71,7 +71,7 @@ where
     };
     let numbers = |table: &mut Table<W>, state: &M::State| {
         coordinates(table, state, M::COORDINATES)?;
-        outputs(table, &M::OUTPUTS, mechanism.outputs(state))
+        outputs(table, &M::OUTPUTS, mechanism.outputs_with_jerk(state))
     };
     tabulate(to, states, names, numbers)
 }
@@ -91,7 +91,7 @@ where
     T: Float,
 {
     let names = |table: &mut Table<W>| output_names(table, &M::OUTPUTS);
-    tabulate(to, states, names, |table, state| outputs(table, &M::OUTPUTS, mechanism.outputs(state)))
+    tabulate(to, states, names, |table, state| outputs(table, &M::OUTPUTS, mechanism.outputs_with_jerk(state)))
 }
 
 /// Writes a motion as [`write`](self::write()) does, without the outputs: for any mechanism.
@@ -167,8 +167,8 @@ impl<W: Write> Table<W> {
     }
 }
 
-/// Value, rate and acceleration.
-const ORDERS: [&str; 3] = ["", " rate", " acceleration"];
+/// Value, rate, acceleration and jerk.
+const ORDERS: [&str; 4] = ["", " rate", " acceleration", " jerk"];
 
 /// The columns of a coordinate.
 enum Column {
@@ -239,16 +239,20 @@ fn output_names<W: Write, const K: usize>(table: &mut Table<W>, names: &OutputNa
     Ok(())
 }
 
-fn outputs<W: Write, T: Float, const K: usize>(table: &mut Table<W>, names: &OutputNames<K>, outputs: [Motion<T>; K]) -> io::Result<()> {
-    for (name, Motion { value, rate, acceleration }) in names.0.iter().zip(outputs) {
-        [value, rate, acceleration].into_iter().take(columns(name)).try_for_each(|number| table.number(number))?;
+fn outputs<W: Write, T: Float, const K: usize>(
+    table: &mut Table<W>,
+    names: &OutputNames<K>,
+    outputs: [MotionWithJerk<T>; K],
+) -> io::Result<()> {
+    for (name, MotionWithJerk { value, rate, acceleration, jerk }) in names.0.iter().zip(outputs) {
+        [value, rate, acceleration, jerk].into_iter().take(columns(name)).try_for_each(|number| table.number(number))?;
     }
     Ok(())
 }
 
 /// Number of columns of a component.
 fn columns(of: &OutputName) -> usize {
-    if of.has_acceleration() { ORDERS.len() } else { ORDERS.len() - 1 }
+    2 + usize::from(of.has_acceleration()) + usize::from(of.has_jerk())
 }
 
 impl<E: Display> Display for Unwritten<E> {

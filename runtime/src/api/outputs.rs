@@ -2,7 +2,7 @@
 
 use core::ops::Deref;
 
-use nalgebra::{Vector2, Vector3};
+use nalgebra::SVector;
 
 use crate::number::Real;
 use crate::state::{Motion, MotionWithJerk, PlanarBody, SpatialBody, State, ValueAndRate};
@@ -44,11 +44,16 @@ pub trait Outputs<T, const N: usize, const K: usize> {
     /// Names and units of the components, in the order of [`outputs`](Self::outputs).
     const OUTPUTS: OutputNames<K>;
 
-    /// The components of all outputs in the order of their declaration, each with its first and second derivative in time.
+    /// The components of all outputs in the order of their declaration, each with its first three derivatives in time.
     ///
     /// A point has the components x and y, and z in space; a body x, y and its angle, in space x, y, z and its direction cosines. An output
-    /// that contains velocities has no acceleration: there it is NaN.
-    fn outputs(&self, state: &Self::State) -> [Motion<T>; K];
+    /// that contains velocities has no acceleration, and one declared without `with jerk` has no third derivative: there they are NaN.
+    fn outputs_with_jerk(&self, state: &Self::State) -> [MotionWithJerk<T>; K];
+
+    /// As [`outputs_with_jerk`](Self::outputs_with_jerk), without the third derivative.
+    fn outputs(&self, state: &Self::State) -> [Motion<T>; K] {
+        self.outputs_with_jerk(state).map(MotionWithJerk::motion)
+    }
 }
 
 /// Names and units of the components of outputs.
@@ -61,18 +66,30 @@ pub struct OutputNames<const K: usize>(pub [OutputName; K]);
 pub struct OutputName {
     /// The output and its component: `"tip.x"`.
     pub name: &'static str,
-    /// The units of value, rate and acceleration; empty for a pure number, [`NO_UNIT`](Self::NO_UNIT) where there is no acceleration.
-    pub units: [&'static str; 3],
+    /// The units of value, rate, acceleration and jerk; empty for a pure number, [`NO_UNIT`](Self::NO_UNIT) for a derivative that the output
+    /// does not have.
+    pub units: [&'static str; 4],
 }
 
 impl OutputName {
-    /// In place of the unit of the acceleration, where an output contains velocities and has none.
+    /// In place of the unit of a derivative that an output does not have.
     pub const NO_UNIT: &'static str = "\u{2013}";
 
     /// True if the output has an acceleration: it contains no velocities.
     #[must_use]
     pub const fn has_acceleration(&self) -> bool {
-        !is_same(self.units[2].as_bytes(), Self::NO_UNIT.as_bytes())
+        self.has(2)
+    }
+
+    /// True if the output has a third derivative: it is declared `with jerk`.
+    #[must_use]
+    pub const fn has_jerk(&self) -> bool {
+        self.has(3)
+    }
+
+    /// True if the output has the derivative of this order.
+    const fn has(&self, order: usize) -> bool {
+        !is_same(self.units[order].as_bytes(), Self::NO_UNIT.as_bytes())
     }
 }
 
@@ -109,14 +126,14 @@ const fn is_same(a: &[u8], b: &[u8]) -> bool {
 /// The result of a generated method for an output.
 #[doc(hidden)]
 pub trait Output<T> {
-    /// Visits its components in order.
-    fn each(&self, visit: &mut dyn FnMut(Motion<T>));
+    /// Visits its components in order. Derivatives that it does not have are NaN.
+    fn each(&self, visit: &mut dyn FnMut(MotionWithJerk<T>));
 }
 
 /// A list of the components that are visited.
 #[doc(hidden)]
-pub fn listed<T: Real, const K: usize>(visit: impl FnOnce(&mut dyn FnMut(Motion<T>))) -> [Motion<T>; K] {
-    let mut list = [Motion::at(T::of(0.0)); K];
+pub fn listed<T: Real, const K: usize>(visit: impl FnOnce(&mut dyn FnMut(MotionWithJerk<T>))) -> [MotionWithJerk<T>; K] {
+    let mut list = [Motion::at(T::of(0.0)).with_jerk(T::of(0.0)); K];
     let mut places = list.iter_mut();
     visit(&mut |component| {
         if let Some(place) = places.next() {
@@ -126,81 +143,70 @@ pub fn listed<T: Real, const K: usize>(visit: impl FnOnce(&mut dyn FnMut(Motion<
     list
 }
 
-impl<T: Real> Output<T> for Motion<T> {
-    fn each(&self, visit: &mut dyn FnMut(Motion<T>)) {
+impl<T: Real> Output<T> for MotionWithJerk<T> {
+    fn each(&self, visit: &mut dyn FnMut(MotionWithJerk<T>)) {
         visit(*self);
     }
 }
 
-impl<T: Real> Output<T> for Motion<Vector2<T>> {
-    fn each(&self, visit: &mut dyn FnMut(Motion<T>)) {
-        for i in 0..2 {
-            visit(Motion { value: self.value[i], rate: self.rate[i], acceleration: self.acceleration[i] });
-        }
-    }
-}
-
-impl<T: Real> Output<T> for Motion<Vector3<T>> {
-    fn each(&self, visit: &mut dyn FnMut(Motion<T>)) {
-        for i in 0..3 {
-            visit(Motion { value: self.value[i], rate: self.rate[i], acceleration: self.acceleration[i] });
-        }
+impl<T: Real> Output<T> for Motion<T> {
+    fn each(&self, visit: &mut dyn FnMut(MotionWithJerk<T>)) {
+        visit(self.with_jerk(T::of(f64::NAN)));
     }
 }
 
 impl<T: Real> Output<T> for ValueAndRate<T> {
-    fn each(&self, visit: &mut dyn FnMut(Motion<T>)) {
-        visit(Motion { value: self.value, rate: self.rate, acceleration: T::of(f64::NAN) });
+    fn each(&self, visit: &mut dyn FnMut(MotionWithJerk<T>)) {
+        Motion { value: self.value, rate: self.rate, acceleration: T::of(f64::NAN) }.each(visit);
     }
 }
 
-impl<T: Real> Output<T> for ValueAndRate<Vector2<T>> {
-    fn each(&self, visit: &mut dyn FnMut(Motion<T>)) {
-        for i in 0..2 {
-            ValueAndRate { value: self.value[i], rate: self.rate[i] }.each(visit);
+impl<T: Real, const D: usize> Output<T> for MotionWithJerk<SVector<T, D>> {
+    fn each(&self, visit: &mut dyn FnMut(MotionWithJerk<T>)) {
+        for i in 0..D {
+            visit(MotionWithJerk { value: self.value[i], rate: self.rate[i], acceleration: self.acceleration[i], jerk: self.jerk[i] });
         }
     }
 }
 
-impl<T: Real> Output<T> for ValueAndRate<Vector3<T>> {
-    fn each(&self, visit: &mut dyn FnMut(Motion<T>)) {
-        for i in 0..3 {
-            ValueAndRate { value: self.value[i], rate: self.rate[i] }.each(visit);
+impl<T: Real, const D: usize> Output<T> for Motion<SVector<T, D>> {
+    fn each(&self, visit: &mut dyn FnMut(MotionWithJerk<T>)) {
+        for i in 0..D {
+            Motion { value: self.value[i], rate: self.rate[i], acceleration: self.acceleration[i] }.each(visit);
         }
     }
 }
 
-impl<T: Copy, V: Copy> Output<T> for MotionWithJerk<V>
-where
-    Motion<V>: Output<T>,
-{
-    fn each(&self, visit: &mut dyn FnMut(Motion<T>)) {
-        self.motion().each(visit);
+impl<T: Real, const D: usize> Output<T> for ValueAndRate<SVector<T, D>> {
+    fn each(&self, visit: &mut dyn FnMut(MotionWithJerk<T>)) {
+        for i in 0..D {
+            ValueAndRate { value: self.value[i], rate: self.rate[i] }.each(visit);
+        }
     }
 }
 
 impl<T: Real> Output<T> for PlanarBody<T> {
-    fn each(&self, visit: &mut dyn FnMut(Motion<T>)) {
+    fn each(&self, visit: &mut dyn FnMut(MotionWithJerk<T>)) {
         Motion { value: self.position, rate: self.velocity, acceleration: self.acceleration }.each(visit);
-        visit(Motion { value: self.angle, rate: self.angular_velocity, acceleration: self.angular_acceleration });
+        Motion { value: self.angle, rate: self.angular_velocity, acceleration: self.angular_acceleration }.each(visit);
     }
 }
 
 impl<T: Real> Output<T> for SpatialBody<T> {
-    fn each(&self, visit: &mut dyn FnMut(Motion<T>)) {
+    fn each(&self, visit: &mut dyn FnMut(MotionWithJerk<T>)) {
         Motion { value: self.position, rate: self.velocity, acceleration: self.acceleration }.each(visit);
         let (zero, one) = (T::of(0.0), T::of(1.0));
         let columns = [[one, zero, zero], [zero, one, zero], [zero, zero, one]].map(|axis| self.vector(axis.into()));
         for i in 0..3 {
             for Motion { value, rate, acceleration } in &columns {
-                visit(Motion { value: value[i], rate: rate[i], acceleration: acceleration[i] });
+                Motion { value: value[i], rate: rate[i], acceleration: acceleration[i] }.each(visit);
             }
         }
     }
 }
 
 impl<T, O: Output<T>, const L: usize> Output<T> for [O; L] {
-    fn each(&self, visit: &mut dyn FnMut(Motion<T>)) {
+    fn each(&self, visit: &mut dyn FnMut(MotionWithJerk<T>)) {
         for one in self {
             one.each(visit);
         }

@@ -17,6 +17,7 @@ use crate::travel::Motion;
 use abridged::{Abridged, list};
 use proc_macro2::TokenStream;
 use quote::quote;
+use std::array::from_fn;
 use std::fmt::Write;
 
 /// One line of documentation.
@@ -340,8 +341,8 @@ pub(crate) fn output(method: &Method, first: &Output) -> String {
 /// The unit of what there is not: `OutputName::NO_UNIT` of the runtime.
 const NO_UNIT: &str = "\u{2013}";
 
-/// The components of an output by name, each with the units of value, rate and acceleration; a dash where there is no acceleration.
-pub(crate) fn components(system: &System, output: &Output) -> Vec<(String, [String; 3])> {
+/// The components of an output by name, each with the units of value, rate, acceleration and jerk; a dash for a derivative that it lacks.
+pub(crate) fn components(system: &System, output: &Output) -> Vec<(String, [String; 4])> {
     let alike = |axes: &[&str]| -> Vec<(String, Dim)> { axes.iter().map(|axis| (format!(".{axis}"), output.dim)).collect() };
     let of_length = |axis: &str| (format!(".{axis}"), Dim::LENGTH);
     let parts = match output.components.len() {
@@ -357,8 +358,9 @@ pub(crate) fn components(system: &System, output: &Output) -> Vec<(String, [Stri
     let name = output.name.unraw();
     let part = |(suffix, dim): (String, Dim)| {
         let rate = dim.per(Dim::TIME);
-        let acceleration = if output.derivatives == 1 { NO_UNIT.to_owned() } else { rate.per(Dim::TIME).unit() };
-        (format!("{name}{suffix}"), [dim.unit(), rate.unit(), acceleration])
+        let acceleration = rate.per(Dim::TIME);
+        let units = [dim, rate, acceleration, acceleration.per(Dim::TIME)].map(|dim| dim.unit());
+        (format!("{name}{suffix}"), from_fn(|order| if order > output.derivatives { NO_UNIT.to_owned() } else { units[order].clone() }))
     };
     parts.into_iter().map(part).collect()
 }

@@ -15,7 +15,7 @@ impl Emitter<'_> {
         }
         let members = self.model.methods.iter().flat_map(|method| &method.members);
         let components = members.flat_map(|member| docs::components(self.system, &self.model.outputs[*member]));
-        let name = |(name, units): (String, [String; 3])| quote!(::reuleaux::OutputName { name: #name, units: [#(#units),*] });
+        let name = |(name, units): (String, [String; 4])| quote!(::reuleaux::OutputName { name: #name, units: [#(#units),*] });
         let names: Vec<TokenStream> = components.map(name).collect();
         let methods: Vec<&Ident> = self.model.methods.iter().map(|method| &method.name).collect();
         let (name, n, count) = (&self.model.name, number(self.system.width()), number(names.len()));
@@ -30,7 +30,7 @@ impl Emitter<'_> {
             impl<T: ::reuleaux::Real> ::reuleaux::Outputs<T, #n, #count> for #name<T> {
                 type State = #state<T>;
                 const OUTPUTS: ::reuleaux::OutputNames<#count> = Self::OUTPUTS;
-                fn outputs(&self, state: &#state<T>) -> [::reuleaux::Motion<T>; #count] {
+                fn outputs_with_jerk(&self, state: &#state<T>) -> [::reuleaux::MotionWithJerk<T>; #count] {
                     ::reuleaux::listed(|visit| { #(::reuleaux::Output::each(&self.#methods(state), visit);)* })
                 }
             }

@@ -140,7 +140,7 @@ fn listing(name: &Ident, state: &Ident, n: &TokenStream, body: &TokenStream) -> 
         impl<T: ::reuleaux::Real> ::reuleaux::Outputs<T, #n, 0> for #name<T> {
             type State = #state<T>;
             const OUTPUTS: ::reuleaux::OutputNames<0> = ::reuleaux::OutputNames([]);
-            fn outputs(&self, _: &#state<T>) -> [::reuleaux::Motion<T>; 0] { #body }
+            fn outputs_with_jerk(&self, _: &#state<T>) -> [::reuleaux::MotionWithJerk<T>; 0] { #body }
         }
     }
 }
