@@ -1,5 +1,6 @@
 //! Comparison with reference numbers computed elsewhere, with 60 digits.
 
+mod at_rest;
 mod blocks;
 mod branches;
 mod components;

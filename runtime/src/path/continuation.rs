@@ -36,6 +36,9 @@ const NEARLY_SINGULAR: f64 = 1.0 / 64.0;
 /// At the end of a branch: a step that fails and changes q by less than this fraction of 1 / condition is not halved again.
 const LEAST_WAY: f64 = 0.01;
 
+/// A mechanism rests where the rates at hand would change no coordinate by more roundings than this in the whole time.
+const MOST_AT_REST: f64 = 64.0;
+
 /// The shortest step, in roundings of time.
 const SHORTEST_STEP: f64 = 8.0;
 
@@ -133,15 +136,17 @@ fn largest_condition<T: Float>(share: f64) -> T {
 /// * `whole`: given, s, the whole time to be covered.
 fn halves<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, step: &mut T, next: T, here: &State<T, N>, whole: T) -> bool {
     *step = (next - here.t) * T::of(0.5);
-    let (h, zero) = (*step, T::of(0.0));
+    let h = *step;
     let time = here.t.abs().max(next.abs()).max(T::EPSILON * whole.abs());
     let length = length_of(equations.characteristic_length());
-    let ways = || E::ITERATED.iter().filter(|i| **i < N).map(|&i| (i, (h * here.qd[i]).abs() + (h * h * here.qdd[i]).abs()));
+    let ways = |h: T| E::ITERATED.iter().filter(|i| **i < N).map(move |&i| (i, (h * here.qd[i]).abs() + (h * h * here.qdd[i]).abs()));
     let size = |i: usize| if names::coordinate(E::COORDINATES, i).kind == CoordinateKind::Length { length } else { T::of(1.0) };
     // So close to a fold rounding errors let the shortest steps fail and succeed at random.
     let is_at_end = here.condition * T::ROOT_EPSILON > T::of(NEARLY_SINGULAR);
-    let least = |i: usize| if is_at_end { T::of(LEAST_WAY) * size(i) / here.condition } else { T::EPSILON * (here.q[i].abs() + size(i)) };
-    let moves = || ways().any(|(i, way)| way > least(i));
-    let rests = || ways().all(|(_, way)| way == zero);
+    let rounding = |i: usize| T::EPSILON * (here.q[i].abs() + size(i));
+    let least = |i: usize| if is_at_end { T::of(LEAST_WAY) * size(i) / here.condition } else { rounding(i) };
+    let moves = || ways(h).any(|(i, way)| way > least(i));
+    // Laws that begin at rest have rates of rounding errors there.
+    let rests = || ways(whole).all(|(i, way)| way <= T::of(MOST_AT_REST) * rounding(i));
     h.abs() > T::of(SHORTEST_STEP) * T::EPSILON * time && (rests() || moves())
 }
