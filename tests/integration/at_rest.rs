@@ -1,6 +1,6 @@
 //! Motions that begin at rest, where rates are rounding errors, reached by one call.
 
-use reuleaux::{Mechanism, mechanism};
+use reuleaux::mechanism;
 
 mechanism! {
     /// A four-bar whose crank turns from rest to rest.
@@ -22,7 +22,7 @@ mechanism! {
 #[test]
 fn a_motion_from_rest_is_reached_at_all_times() -> Result<(), Box<dyn std::error::Error>> {
     for duration in [0.628, 0.7, 1.0, 1.090597, 1.3] {
-        let mechanism = FromRest { duration, ..FromRest::default() };
+        let mechanism = FromRest { duration };
         for step in 1..=40 {
             let t = f64::from(step) * 0.05;
             let by_steps = mechanism.sweep((0..=step).map(|k| f64::from(k) * 0.05)).last().ok_or("no state")??;
