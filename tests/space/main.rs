@@ -7,6 +7,7 @@ mod links;
 mod loads;
 mod mechanisms;
 mod objective;
+mod opposed;
 mod starts;
 mod states;
 mod units;

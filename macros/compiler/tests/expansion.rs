@@ -72,3 +72,13 @@ fn a_folder_that_cannot_be_made_is_an_error() {
     let printed = compiled_with(&file);
     assert!(printed.contains("the expansion of `Crank` cannot be written to"), "{printed}");
 }
+
+/// The mechanism keeps its name, so that rustc does not complain of every use beside.
+#[test]
+fn a_head_with_a_mistake_keeps_the_name() {
+    for head in ["#[unknown] mechanism Crank in space", "mechanism Crank in spaec", "#[unknown] mechanism Crank"] {
+        let declaration = format!("{head} {{ body crank {{}} }}");
+        let expansion = reuleaux_compiler::mechanism(declaration.parse().expect("tokens")).to_string();
+        assert!(expansion.contains("pub struct Crank"), "{head}: {expansion}");
+    }
+}

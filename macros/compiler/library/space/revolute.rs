@@ -12,7 +12,10 @@
 /// ```
 ///
 /// x, y and z are unit vectors: z along the axis, x across it towards the direction that the axis is declared with (`from`). Removes five
-/// freedoms. The axes may be of any length, and point either way; one axis against the other is another assembly.
+/// freedoms.
+///
+/// The axes may be of any length. They point the same way; where the declared `start orientation` turns them more than 90° apart, they point
+/// against each other, which is another assembly. The angle is counted about `a`.
 ///
 /// Degenerate case: both points on the same body, which is refused.
 ///

@@ -8,6 +8,9 @@
 /// Removes all six freedoms. The directions that the axes are declared with (`from`) say how the bodies stand to each other. Degenerate
 /// case: both points on the same body, which is refused.
 ///
+/// The rows hold as well after half a turn of one triad about an axis of its own, which is another assembly: of the four, the one nearest
+/// to a declared `start orientation` is taken; without it, equal axes.
+///
 /// Reference: Nikravesh, section 7.2; Haug, section 9.4.
 constraint weld(P: Point, a: Axis, Q: Point, b: Axis) in space {
     require P.body == a.body: "the first point and the first axis of a weld belong to one body";

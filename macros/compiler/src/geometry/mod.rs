@@ -35,6 +35,13 @@ impl Triad {
         // A vector at a right angle to an axis of the frame has no part along it, not even a rounding error.
         Triad { body, axes: axes.map(|axis| axis.map(|part| arena.snapped(part))) }
     }
+
+    /// The triad after half a turn about one of its axes: that axis stays, the other two are reversed.
+    pub(crate) fn half_turned(self, arena: &mut Arena, about: usize) -> Triad {
+        let reversed = |(k, axis): (usize, Triple)| if k == about { axis } else { axis.map(|part| arena.neg(part)) };
+        let [x, y, z] = self.axes;
+        Triad { body: self.body, axes: [(0, x), (1, y), (2, z)].map(reversed) }
+    }
 }
 
 /// A point or a vector fixed in a body or in ground.
@@ -51,7 +58,7 @@ pub struct Place {
 pub enum Relationship {
     /// Two points coincide: three rows.
     Coincident(Place, Place),
-    /// Two axes are parallel and of equal sense: two rows.
+    /// Two axes are parallel: two rows.
     SameDirection(Triad, Triad),
     /// Two triads are parallel: three rows.
     SameOrientation(Triad, Triad),

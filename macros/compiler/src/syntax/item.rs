@@ -11,8 +11,8 @@ use super::options::{Options, options, passing};
 use super::output::output;
 use super::repeated::{component, part, repeated_items, repeated_marks};
 use super::tokens::{
-    Parsed, arrow, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, name, parentheses, path, report, semicolon,
-    skip_item, skip_to_block, statement_text, visibility, wrong,
+    Parsed, arrow, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, name, name_before_block, parentheses, path,
+    report, semicolon, skip_item, skip_to_block, statement_text, visibility, wrong,
 };
 use crate::diag::{ArrayFact, Diag, GrammarFact, Home, Range, ValueFact, home};
 use crate::quantity::Ambient;
@@ -23,11 +23,13 @@ use syn::{Token, token};
 
 /// `pub mechanism Name { items }`
 pub(super) fn mechanism(input: ParseStream, diag: &mut Diag) -> Option<Mechanism> {
+    let beginning = input.fork();
     let mut mechanism = match head(input) {
         Ok(mechanism) => mechanism,
         Err(refusal) => {
             diag.refuse::<()>(refusal.range, refusal.fact);
-            salvaged(skip_to_block(input)?)
+            skip_to_block(input)?;
+            salvaged(&beginning)?
         }
     };
     let content = report(block(input, "`{` and the items of the mechanism"), diag);
@@ -88,9 +90,10 @@ pub(super) fn ambient(input: ParseStream) -> Parsed<Option<Ambient>> {
     Ok(Some(found))
 }
 
-/// A mechanism of which only the name could be read.
-fn salvaged(name: Ident) -> Mechanism {
-    Mechanism {
+/// A mechanism of which only the name and the word after `in` could be read.
+fn salvaged(head: ParseStream) -> Option<Mechanism> {
+    let name = name_before_block(head)?;
+    Some(Mechanism {
         docs: Docs::default(),
         task: Task::default(),
         closing: Closing::default(),
@@ -99,9 +102,9 @@ fn salvaged(name: Ident) -> Mechanism {
         requests: Requests::default(),
         visibility: quote::quote!(pub),
         name,
-        ambient: Ambient::default(),
+        ambient: ambient(head).ok().flatten().unwrap_or_default(),
         items: Vec::new(),
-    }
+    })
 }
 
 /// Context of an item.

@@ -312,11 +312,22 @@ pub(super) fn skip_item(input: ParseStream, start: ParseStream, is_item: fn(Pars
     }
 }
 
-/// Skips to the first `{` and returns the name before it.
-pub(super) fn skip_to_block(input: ParseStream) -> Option<Ident> {
+/// Skips to the first `{`, or to the `in` before it, and returns the name before that.
+pub(super) fn name_before_block(input: ParseStream) -> Option<Ident> {
     let mut name = None;
     while !input.is_empty() && !input.peek(token::Brace) {
+        if input.peek(Token![in]) && name.is_some() {
+            return name;
+        }
         name = if input.peek(syn::Ident) { input.parse().ok() } else { input.parse::<TokenTree>().ok().and(None) };
     }
-    if input.is_empty() { None } else { name }
+    name
+}
+
+/// Skips to the first `{`.
+pub(super) fn skip_to_block(input: ParseStream) -> Option<()> {
+    while !input.peek(token::Brace) {
+        input.parse::<TokenTree>().ok()?;
+    }
+    Some(())
 }

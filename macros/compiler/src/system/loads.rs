@@ -9,9 +9,9 @@
 use super::rows::Row;
 use super::{COSINES, Equation, balance, cosine, declared, dynamics};
 use crate::expr::{Arena, Binary, Expr, Leaf, Mark, Node, Substitution, Triple, combination, derivative};
-use crate::model::{DECLARED, JointQuantity, Model};
+use crate::model::{DECLARED, Model, Triad};
 use crate::quantity::{Dim, Role, SpeedRole};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// Forces that joints and drives have to supply: M u̇ − Q.
 #[derive(Clone, Debug)]
@@ -50,10 +50,10 @@ pub struct LoadRow {
 impl LoadEquations {
     /// In the declared coordinates; `None` if there is neither a mass nor a force.
     ///
-    /// * `is_aligned`: given, true for the angle of a joint that keeps its axes in one direction.
-    pub(super) fn declared(model: &Model, arena: &mut Arena, is_aligned: impl Fn(u32) -> bool) -> Option<LoadEquations> {
+    /// * `aligned`: the triads of each angle of a joint that keeps its axes in one direction, with equal z axes.
+    pub(super) fn declared(model: &Model, arena: &mut Arena, aligned: &BTreeMap<u32, [Triad; 2]>) -> Option<LoadEquations> {
         let forces = dynamics::unbalanced(model, arena, &[])?;
-        let mut angles = JointAngles::new(model, arena, is_aligned);
+        let mut angles = JointAngles::new(model, arena, aligned);
         let declared = Row::declared(model).map(|row| Row { residual: angles.apart(arena, row.residual), ..row });
         let declared: Vec<Row> = declared.collect();
         let mut equations = declared::equations(model, arena, declared.iter());
@@ -152,14 +152,11 @@ struct JointAngle {
 }
 
 impl JointAngles {
-    fn new(model: &Model, arena: &mut Arena, is_aligned: impl Fn(u32) -> bool) -> JointAngles {
+    fn new(model: &Model, arena: &mut Arena, aligned: &BTreeMap<u32, [Triad; 2]>) -> JointAngles {
         let (mut known, mut back) = (Vec::new(), Substitution::new());
-        for (number, (quantity, expr)) in (0..).zip(&model.space.quantities) {
-            let JointQuantity::Angle(one, two) = quantity else { continue };
-            if !is_aligned(number) {
-                continue;
-            }
-            let leaf = Leaf::Coordinate(DECLARED + (Role::SPACE.len() * model.bodies.len()) as u32 + number);
+        for (number, [one, two]) in aligned {
+            let (_, expr) = &model.space.quantities[*number as usize];
+            let leaf = Leaf::Coordinate(DECLARED + (Role::SPACE.len() * model.bodies.len()) as u32 + *number);
             back.replace(leaf, *expr);
             let mut turns = Vec::new();
             for (triad, is_ahead) in [(two, true), (one, false)] {

@@ -98,8 +98,8 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena, free_speeds: FreeSpeeds) 
     let spins: Vec<Option<u32>> = forest.frames.iter().map(|frame| forest.arena.spins((*frame)?)).collect();
     let balance = (model.task == Task::Motion).then(|| Balance::declared(model, forest.arena, &spins).map(|expr| forest.rewrite(expr)));
     let is_loaded = model.task.is_determined();
-    let aligned = if is_loaded { forest.aligned() } else { BTreeSet::new() };
-    let loads = is_loaded.then(|| LoadEquations::declared(model, forest.arena, |number| aligned.contains(&number))).flatten();
+    let aligned = if is_loaded { forest.aligned() } else { BTreeMap::new() };
+    let loads = is_loaded.then(|| LoadEquations::declared(model, forest.arena, &aligned)).flatten();
     let loads = loads.map(|loads| loads.map(|expr| forest.rewrite(expr)));
     forest.rows_of_further_angles();
     forest.rows.sort_by_key(|row| row.joint);
@@ -184,9 +184,7 @@ impl Forest<'_> {
         match relation {
             Relationship::SameOrientation(one, two) => {
                 let (inner, outer) = self.inward(one, two);
-                let axes = self.in_ground(inner);
-                self.note_start(inner, outer, None);
-                self.attach(joint, inner.body, outer, axes, &[]);
+                self.reach_without_angle(joint, inner, outer);
             }
             Relationship::SameDirection(one, two) => self.reach_by_angle(joint, one, two),
             Relationship::Perpendicular(one, two) => self.reach_by_two_angles(joint, one, two),

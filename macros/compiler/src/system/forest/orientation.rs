@@ -11,15 +11,16 @@ impl Forest<'_> {
     pub(super) fn reach_by_angle(&mut self, joint: usize, one: Triad, two: Triad) {
         let (inner, outer) = self.inward(one, two);
         let Some(body) = outer.body else { return };
-        let [x, y, z] = self.in_ground(inner);
         if let Some(row) = self.twist(one, two) {
             self.holding.insert(row);
-            self.note_start(inner, outer, None);
-            self.attach(joint, inner.body, outer, [x, y, z], &[]);
+            self.reach_without_angle(joint, inner, outer);
             return;
         }
         // The angle counts the second body against the first, wherever ground is.
         let is_forward = inner == one;
+        let outer = self.facing(inner, outer);
+        let (one, two) = if is_forward { (one, outer) } else { (outer, two) };
+        let [x, y, z] = self.in_ground(inner);
         let against = |forest: &mut Self, angle: Expr| if is_forward { angle } else { forest.arena.neg(angle) };
         let start = match self.start_angle_by_place(inner, outer) {
             Some(angle) => {
@@ -36,6 +37,14 @@ impl Forest<'_> {
         let axes = self.about(angle, [x, y, z]);
         self.attach(joint, inner.body, outer, axes, &[(number, turn)]);
         self.angles.push((one, two, unknown));
+    }
+
+    /// Reaches a body whose triad has the axes of another.
+    pub(super) fn reach_without_angle(&mut self, joint: usize, inner: Triad, outer: Triad) {
+        let outer = self.facing_in_all(inner, outer);
+        let axes = self.in_ground(inner);
+        self.note_start(inner, outer, None);
+        self.attach(joint, inner.body, outer, axes, &[]);
     }
 
     /// The row that keeps two bodies with one axis direction from turning about it.

@@ -5,11 +5,12 @@ use super::Forest;
 use crate::expr::{Binary, Expr, Leaf, Mark, Node, dot};
 use crate::model::{DECLARED, JointQuantity, Place, Triad};
 use crate::quantity::{Ambient, Dim, Role, SpeedRole};
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 impl Forest<'_> {
-    /// An angle of two triads by those that are known, if a chain of joints about one direction leads from one to the other.
-    fn by_known_angles(&mut self, one: Triad, two: Triad) -> Option<Expr> {
+    /// An angle of two triads by those that are known, if a chain of joints about one direction leads from one to the other; with the
+    /// second triad, half turned about x where its axis points against that of the first.
+    fn by_known_angles(&mut self, one: Triad, two: Triad) -> Option<(Expr, Triad)> {
         let zero = self.arena.integer(0);
         // Triads on the way, each with its angle against the first.
         let mut found = vec![(one, zero)];
@@ -17,33 +18,47 @@ impl Forest<'_> {
         while next < found.len() {
             let (here, angle) = found[next];
             next += 1;
-            if here.body == two.body && here.axes[2] == two.axes[2] {
+            if let Some(two) = self.along_axis_of(here, two) {
                 let rest = self.direction_in(here, two);
-                return Some(self.arena.add(angle, rest));
+                return Some((self.arena.add(angle, rest), two));
             }
             for (a, b, between) in self.angles.clone() {
                 for (near, far, is_forward) in [(a, b, true), (b, a, false)] {
-                    let is_new = !found.iter().any(|(known, _)| known.body == far.body);
-                    if near.body == here.body && near.axes[2] == here.axes[2] && is_new {
-                        let own = self.direction_in(here, near);
-                        let sum = self.arena.add(angle, own);
-                        let sum = if is_forward { self.arena.add(sum, between) } else { self.arena.sub(sum, between) };
-                        found.push((far, sum));
+                    if found.iter().any(|(known, _)| known.body == far.body) {
+                        continue;
                     }
+                    let Some(turned) = self.along_axis_of(here, near) else { continue };
+                    // About the opposite axis the same turn has the opposite sign.
+                    let (far, is_forward) = if turned == near { (far, is_forward) } else { (far.half_turned(self.arena, 0), !is_forward) };
+                    let own = self.direction_in(here, turned);
+                    let sum = self.arena.add(angle, own);
+                    let sum = if is_forward { self.arena.add(sum, between) } else { self.arena.sub(sum, between) };
+                    found.push((far, sum));
                 }
             }
         }
         None
     }
 
-    /// Angles of joints that keep their axes in one direction, by number of the quantity.
-    pub(super) fn aligned(&mut self) -> BTreeSet<u32> {
-        let quantities = (0..).zip(&self.model.space.quantities);
-        let is_aligned = |this: &mut Self, quantity: &JointQuantity| match quantity {
-            JointQuantity::Angle(one, two) => this.by_known_angles(*one, *two).is_some(),
-            JointQuantity::Displacement(..) => false,
-        };
-        quantities.filter(|(_, (quantity, _))| is_aligned(self, quantity)).map(|(number, _)| number).collect()
+    /// A triad of the same body whose z axis is that of another or its opposite, turned so that they are equal.
+    fn along_axis_of(&mut self, one: Triad, other: Triad) -> Option<Triad> {
+        let is_along = |triad: &Triad| (triad.body, triad.axes[2]) == (one.body, one.axes[2]);
+        Some(other)
+            .filter(|_| one.body == other.body)
+            .and_then(|other| [other, other.half_turned(self.arena, 0)].into_iter().find(is_along))
+    }
+
+    /// Angles of joints that keep their axes in one direction, by number of the quantity, each with its triads, whose z axes are equal.
+    pub(super) fn aligned(&mut self) -> BTreeMap<u32, [Triad; 2]> {
+        let mut aligned = BTreeMap::new();
+        for (number, (quantity, _)) in (0..).zip(&self.model.space.quantities) {
+            if let JointQuantity::Angle(one, two) = *quantity
+                && let Some((_, two)) = self.by_known_angles(one, two)
+            {
+                aligned.insert(number, [one, two]);
+            }
+        }
+        aligned
     }
 
     /// Angle of the x axis of a triad in another one with the same z axis.
@@ -137,7 +152,7 @@ impl Forest<'_> {
                 self.rewrite(value)
             }
             JointQuantity::Angle(one, two) => {
-                if let Some(angle) = self.by_known_angles(one, two) {
+                if let Some((angle, _)) = self.by_known_angles(one, two) {
                     return angle;
                 }
                 let body = two.body.or(one.body).unwrap_or(0);

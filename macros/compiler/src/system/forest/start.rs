@@ -6,6 +6,9 @@ use crate::geometry::rotation;
 use crate::model::{Place, Relationship, Triad};
 use crate::quantity::{Ambient, Role};
 
+/// Unit vectors are opposed at the start if their product is below this.
+const OPPOSED: f64 = -1e-9;
+
 /// A vector is parallel to an axis if the square of its part across the axis is at most this share of its own square.
 const ALONG: f64 = 1e-12;
 
@@ -110,6 +113,36 @@ impl Forest<'_> {
         }
         let columns = self.columns(outer, axes);
         self.started.insert(body, columns);
+    }
+
+    /// The triad that replaces that of a new body so that an axis points as the partner's does: at its declared start the axis may point
+    /// against it.
+    pub(super) fn facing(&mut self, inner: Triad, outer: Triad) -> Triad {
+        if self.products_at_start(inner, outer).is_some_and(|[_, _, z]| z < OPPOSED) { outer.half_turned(self.arena, 0) } else { outer }
+    }
+
+    /// The triad that replaces that of a new body so that all three axes point as the partner's do: the nearest of four at the declared
+    /// start.
+    pub(super) fn facing_in_all(&mut self, inner: Triad, outer: Triad) -> Triad {
+        let Some(products) = self.products_at_start(inner, outer) else { return outer };
+        // Half a turn about an axis reverses the other two products.
+        let gain = |about: usize| products[about] - products.iter().sum::<f64>();
+        let best = (0..3).fold(0, |best, about| if gain(about) > gain(best) { about } else { best });
+        if gain(best) > -OPPOSED { outer.half_turned(self.arena, best) } else { outer }
+    }
+
+    /// Products of equal axes of two triads at the start, at the defaults; `None` if the orientation of the second body is not declared.
+    fn products_at_start(&mut self, inner: Triad, outer: Triad) -> Option<[f64; 3]> {
+        if !outer.body.is_some_and(|body| self.has_orientation(body)) {
+            return None;
+        }
+        let mut products = [0.0; 3];
+        for (k, product) in products.iter_mut().enumerate() {
+            let [one, two] = [inner, outer].map(|triad| self.hinged_at_start(Place { body: triad.body, local: triad.axes[k] }));
+            let value = dot(self.arena, one, two);
+            *product = self.at_defaults(value)?;
+        }
+        Some(products)
     }
 
     /// True if the orientation of a body at the start is declared.
