@@ -38,6 +38,32 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// A hand turned over on an arm that turns about the same direction and whose orientation is not declared.
+    mechanism Chained in space {
+        ground { axis z = (0, 0, 1); }
+        body arm { axis z = (0, 0, 1);  point A = (200mm, 0mm, 0mm); }
+        body hand { axis z = (0, 0, 1);  start orientation = turn((1, 0, 0), 180deg); }
+        joint shoulder = revolute(ground.position, ground.z, arm.position, arm.z);
+        joint elbow = revolute(arm.A, arm.z, hand.position, hand.z);
+        drive first = drive_rotation(shoulder, 0.5rad * t / 1s);
+        drive second = drive_rotation(elbow, 0rad);
+    }
+}
+
+mechanism! {
+    /// A hand across an arm that is driven half a turn from ground, which its start does not say.
+    mechanism Across in space {
+        ground { axis z = (0, 0, 1); }
+        body arm { axis z = (0, 0, 1);  axis y = (0, 1, 0);  point A = (200mm, 0mm, 0mm); }
+        body hand { axis y = (0, 1, 0);  start orientation = turn((0, 0, 1), 180deg); }
+        joint shoulder = revolute(ground.position, ground.z, arm.position, arm.z);
+        joint elbow = revolute(arm.A, arm.y, hand.position, hand.y);
+        drive first = drive_rotation(shoulder, 180deg + 0.5rad * t / 1s);
+        drive second = drive_rotation(elbow, 0rad);
+    }
+}
+
 /// A crank turned over with a hand, and the axes of the crank by their component in z.
 macro_rules! overhead {
     ($name:ident, ($($z:tt)*)) => {
@@ -80,6 +106,16 @@ fn a_hinged_body_stays_turned_over() {
         assert!(state.wheel().orientation().angle_to(&wanted) < 1e-14, "{}", state.t);
         assert!((state.wheel().angular_velocity - Vector3::new(0.0, 0.0, 0.5)).norm() < 1e-15);
     }
+}
+
+#[test]
+fn an_axis_is_opposed_only_where_declared_orientations_say_so() {
+    let (chained, across) = (Chained::default().solve(1.0).expect("a state"), Across::default().solve(1.0).expect("a state"));
+    let about = |axis, angle| UnitQuaternion::from_axis_angle(&axis, angle);
+    let turned = about(Vector3::z_axis(), 0.5);
+    let half = core::f64::consts::PI;
+    assert!(chained.hand().orientation().angle_to(&(turned * about(Vector3::x_axis(), half))) < 1e-14);
+    assert!(across.hand().orientation().angle_to(&(turned * about(Vector3::z_axis(), half))) < 1e-14);
 }
 
 #[test]

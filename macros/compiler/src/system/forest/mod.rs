@@ -38,6 +38,8 @@ pub(super) struct Forest<'a> {
     reached: Vec<Option<(usize, Option<usize>)>>,
     /// Axes at the start of bodies whose orientation is not declared, as their joints turn them.
     started: BTreeMap<usize, [Triple; 3]>,
+    /// How each body whose orientation is not declared was reached.
+    hung: BTreeMap<usize, Hung>,
     /// Bodies that turn to their declared place at the start, and those that keep the orientation of such a body.
     placed: BTreeSet<usize>,
     /// Angles between triads.
@@ -54,6 +56,15 @@ pub(super) struct Forest<'a> {
     holding: BTreeSet<(usize, usize)>,
     rows: Vec<Row>,
     rewritten: HashMap<Expr, Expr>,
+}
+
+/// A body that was reached by triads with a common axis: its own, and the one that it was reached from.
+#[derive(Clone, Copy, Debug)]
+struct Hung {
+    inner: Triad,
+    outer: Triad,
+    /// True if it turns about the axis.
+    is_hinged: bool,
 }
 
 /// Speeds of bodies that are free to turn.
@@ -77,6 +88,7 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena, free_speeds: FreeSpeeds) 
         coordinates: Vec::new(),
         reached: vec![None; bodies],
         started: BTreeMap::new(),
+        hung: BTreeMap::new(),
         placed: BTreeSet::new(),
         angles: Vec::new(),
         displacements: HashMap::new(),

@@ -1,6 +1,6 @@
 //! Start values of the unknowns, by the declared start of the bodies.
 
-use super::Forest;
+use super::{Forest, Hung};
 use crate::expr::{Arena, Binary, Expr, Leaf, Substitution, Triple, combination, dot};
 use crate::geometry::rotation;
 use crate::model::{Place, Relationship, Triad};
@@ -103,6 +103,7 @@ impl Forest<'_> {
     /// from, or not at all.
     pub(super) fn note_start(&mut self, inner: Triad, outer: Triad, angle: Option<Expr>) {
         let Some(body) = outer.body.filter(|body| !self.has_orientation(*body)) else { return };
+        self.hung.insert(body, Hung { inner, outer, is_hinged: angle.is_some() });
         let mut axes = inner.axes.map(|axis| self.hinged_at_start(Place { body: inner.body, local: axis }));
         match angle {
             Some(angle) => axes = self.about(angle, axes),
@@ -118,31 +119,40 @@ impl Forest<'_> {
     /// The triad that replaces that of a new body so that an axis points as the partner's does: at its declared start the axis may point
     /// against it.
     pub(super) fn facing(&mut self, inner: Triad, outer: Triad) -> Triad {
-        if self.products_at_start(inner, outer).is_some_and(|[_, _, z]| z < OPPOSED) { outer.half_turned(self.arena, 0) } else { outer }
+        if self.product_at_start(inner, outer, 2).is_some_and(|z| z < OPPOSED) { outer.half_turned(self.arena, 0) } else { outer }
     }
 
     /// The triad that replaces that of a new body so that all three axes point as the partner's do: the nearest of four at the declared
     /// start.
     pub(super) fn facing_in_all(&mut self, inner: Triad, outer: Triad) -> Triad {
-        let Some(products) = self.products_at_start(inner, outer) else { return outer };
-        // Half a turn about an axis reverses the other two products.
-        let gain = |about: usize| products[about] - products.iter().sum::<f64>();
-        let best = (0..3).fold(0, |best, about| if gain(about) > gain(best) { about } else { best });
-        if gain(best) > -OPPOSED { outer.half_turned(self.arena, best) } else { outer }
+        let [Some(x), Some(y), Some(z)] = [0, 1, 2].map(|k| self.product_at_start(inner, outer, k)) else { return outer };
+        // Half a turn about an axis reverses the products of the other two.
+        let (best, others) =
+            [(0, y + z), (1, z + x), (2, x + y)].into_iter().fold((0, 0.0), |best, one| if one.1 < best.1 { one } else { best });
+        if others < OPPOSED { outer.half_turned(self.arena, best) } else { outer }
     }
 
-    /// Products of equal axes of two triads at the start, at the defaults; `None` if the orientation of the second body is not declared.
-    fn products_at_start(&mut self, inner: Triad, outer: Triad) -> Option<[f64; 3]> {
-        if !outer.body.is_some_and(|body| self.has_orientation(body)) {
+    /// Product of one axis of two triads at the start, at the defaults; `None` if it is not declared.
+    fn product_at_start(&mut self, inner: Triad, outer: Triad, axis: usize) -> Option<f64> {
+        let [one, two] = [inner, outer].map(|triad| Place { body: triad.body, local: triad.axes[axis] });
+        if !two.body.is_some_and(|body| self.has_orientation(body)) || !self.is_declared(one) {
             return None;
         }
-        let mut products = [0.0; 3];
-        for (k, product) in products.iter_mut().enumerate() {
-            let [one, two] = [inner, outer].map(|triad| self.hinged_at_start(Place { body: triad.body, local: triad.axes[k] }));
-            let value = dot(self.arena, one, two);
-            *product = self.at_defaults(value)?;
+        let [one, two] = [one, two].map(|place| self.hinged_at_start(place));
+        let value = dot(self.arena, one, two);
+        self.at_defaults(value)
+    }
+
+    /// True if the direction of an axis at the start follows from declared orientations: hinges along it do not turn it.
+    fn is_declared(&mut self, axis: Place) -> bool {
+        let Some(body) = axis.body.filter(|body| !self.has_orientation(*body)) else { return true };
+        let Some(Hung { inner, outer, is_hinged }) = self.hung.get(&body).copied() else { return false };
+        let mut from = |k: usize| self.is_declared(Place { body: inner.body, local: inner.axes[k] });
+        if !is_hinged {
+            return [0, 1, 2].into_iter().all(from);
         }
-        Some(products)
+        let is_along = from(2);
+        is_along && [outer, outer.half_turned(self.arena, 0)].iter().any(|triad| triad.axes[2] == axis.local)
     }
 
     /// True if the orientation of a body at the start is declared.
