@@ -39,13 +39,15 @@ mechanism! {
 }
 
 mechanism! {
-    /// A hand turned over on an arm that turns about the same direction and whose orientation is not declared.
+    /// A hand turned over on a plate welded to an arm that turns about the same direction. Orientations of arm and plate are not declared.
     mechanism Chained in space {
         ground { axis z = (0, 0, 1); }
-        body arm { axis z = (0, 0, 1);  point A = (200mm, 0mm, 0mm); }
+        body arm { axis z = (0, 0, 1); }
+        body plate { axis z = (0, 0, 1);  point A = (200mm, 0mm, 0mm); }
         body hand { axis z = (0, 0, 1);  start orientation = turn((1, 0, 0), 180deg); }
         joint shoulder = revolute(ground.position, ground.z, arm.position, arm.z);
-        joint elbow = revolute(arm.A, arm.z, hand.position, hand.z);
+        joint bolts = weld(arm.position, arm.z, plate.position, plate.z);
+        joint elbow = revolute(plate.A, plate.z, hand.position, hand.z);
         drive first = drive_rotation(shoulder, 0.5rad * t / 1s);
         drive second = drive_rotation(elbow, 0rad);
     }

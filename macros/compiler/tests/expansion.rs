@@ -73,7 +73,7 @@ fn a_folder_that_cannot_be_made_is_an_error() {
     assert!(printed.contains("the expansion of `Crank` cannot be written to"), "{printed}");
 }
 
-/// The mechanism keeps its name, so that rustc does not complain of every use beside.
+/// Otherwise rustc would report every use of the mechanism as well.
 #[test]
 fn a_head_with_a_mistake_keeps_the_name() {
     for head in ["#[unknown] mechanism Crank in space", "mechanism Crank in spaec", "#[unknown] mechanism Crank"] {

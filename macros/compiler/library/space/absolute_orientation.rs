@@ -7,8 +7,8 @@
 /// Removes three freedoms. With an axis of ground the orientation is absolute. Degenerate case: both axes on the same body, which is
 /// refused.
 ///
-/// The rows hold as well after half a turn of one triad about an axis of its own, which is another assembly: of the four, the one nearest
-/// to a declared `start orientation` is taken; without it, equal axes.
+/// The rows also hold with one triad turned by 180° about one of its axes. Of these four assemblies the one nearest to the declared
+/// `start orientation` is taken; if none is declared, the axes are equal.
 ///
 /// Reference: Haug, section 9.3.
 constraint absolute_orientation(a: Axis, b: Axis) in space {

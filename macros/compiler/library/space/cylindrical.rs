@@ -7,7 +7,8 @@
 ///   displacement = z_a · d
 /// ```
 ///
-/// Removes four freedoms. The axes point the same way, or against each other, as those of `revolute` do. Degenerate case: both points on the same body, which is refused.
+/// Removes four freedoms. As with `revolute`, the axes point the same way or, where the declared start says so, against each other.
+/// Degenerate case: both points on the same body, which is refused.
 ///
 /// Reference: Nikravesh, section 7.2; Haug, section 9.4.
 constraint cylindrical(P: Point, a: Axis, Q: Point, b: Axis) in space {

@@ -5,8 +5,8 @@
 ///   angle = atan2(y_a · x_b, x_a · x_b)
 /// ```
 ///
-/// Removes two freedoms. The axes point the same way, or against each other, as those of `revolute` do. Degenerate case: both axes on the
-/// same body, which is refused.
+/// Removes two freedoms. As with `revolute`, the axes point the same way or, where the declared start says so, against each other.
+/// Degenerate case: both axes on the same body, which is refused.
 ///
 /// Reference: Haug, section 9.4.
 constraint parallel_axes(a: Axis, b: Axis) in space {

@@ -14,8 +14,8 @@
 /// x, y and z are unit vectors: z along the axis, x across it towards the direction that the axis is declared with (`from`). Removes five
 /// freedoms.
 ///
-/// The axes may be of any length. They point the same way; where declared orientations of both bodies turn them more than 90° apart at the
-/// start, they point against each other, which is another assembly. The angle is counted about `a`.
+/// The axes may be of any length. They point the same way, unless the declared orientations of both bodies turn them more than 90° apart at
+/// the start: then they point against each other. The angle is counted about `a`.
 ///
 /// Degenerate case: both points on the same body, which is refused.
 ///

@@ -8,8 +8,8 @@
 /// Removes all six freedoms. The directions that the axes are declared with (`from`) say how the bodies stand to each other. Degenerate
 /// case: both points on the same body, which is refused.
 ///
-/// The rows hold as well after half a turn of one triad about an axis of its own, which is another assembly: of the four, the one nearest
-/// to a declared `start orientation` is taken; without it, equal axes.
+/// The rows also hold with one triad turned by 180° about one of its axes. Of these four assemblies the one nearest to the declared
+/// `start orientation` is taken; if none is declared, the axes are equal.
 ///
 /// Reference: Nikravesh, section 7.2; Haug, section 9.4.
 constraint weld(P: Point, a: Axis, Q: Point, b: Axis) in space {

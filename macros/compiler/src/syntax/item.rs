@@ -90,7 +90,7 @@ pub(super) fn ambient(input: ParseStream) -> Parsed<Option<Ambient>> {
     Ok(Some(found))
 }
 
-/// A mechanism of which only the name and the word after `in` could be read.
+/// A mechanism whose head has a mistake: its name, and `in space` if written.
 fn salvaged(head: ParseStream) -> Option<Mechanism> {
     let name = name_before_block(head)?;
     Some(Mechanism {

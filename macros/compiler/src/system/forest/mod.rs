@@ -1,12 +1,14 @@
 //! Unknowns in space: positions, angles and displacements of joints, and quaternions only of bodies whose joints define no angle.
 //!
 //! ```text
-//! axes of one direction      A_j = A_i T_i R_z(θ) T_jᵀ                 one angle for two rows
+//! parallel axes              A_j = A_i T_i R_z(θ) T_jᵀ                 one angle for two rows
 //! equal triads               A_j = A_i T_i T_jᵀ                        no unknown for three rows
 //! perpendicular vectors      A_j = A_i T_i R_z(α) R_x(90°) R_z(β) T_jᵀ  two angles for one row
 //! no relation                A_j = A(e),  e · e = 1                    four components, one row more
 //! point on a line            r_Q = r_P + s z                           one displacement, three rows for two
 //! ```
+//!
+//! Where axes point against each other at the declared start, T_j is half turned about its x axis; equal triads may be half turned about any axis.
 //!
 //! Bodies are reached from ground, each by one relation. Rows of relations that reached a body hold by construction and are not solved.
 
@@ -37,9 +39,7 @@ pub(super) struct Forest<'a> {
     /// The relation's joint by which each body was reached, and the body that it was reached from.
     reached: Vec<Option<(usize, Option<usize>)>>,
     /// Axes at the start of bodies whose orientation is not declared, as their joints turn them.
-    started: BTreeMap<usize, [Triple; 3]>,
-    /// How each body whose orientation is not declared was reached.
-    hung: BTreeMap<usize, Hung>,
+    started: BTreeMap<usize, Started>,
     /// Bodies that turn to their declared place at the start, and those that keep the orientation of such a body.
     placed: BTreeSet<usize>,
     /// Angles between triads.
@@ -58,12 +58,16 @@ pub(super) struct Forest<'a> {
     rewritten: HashMap<Expr, Expr>,
 }
 
-/// A body that was reached by triads with a common axis: its own, and the one that it was reached from.
+/// A body at the start whose orientation is not declared.
 #[derive(Clone, Copy, Debug)]
-struct Hung {
+struct Started {
+    /// Columns of its rotation matrix.
+    columns: [Triple; 3],
+    /// The triad that it was reached from.
     inner: Triad,
+    /// Its own triad.
     outer: Triad,
-    /// True if it turns about the axis.
+    /// True if it turns against the triad that it was reached from, about the z axis.
     is_hinged: bool,
 }
 
@@ -88,7 +92,6 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena, free_speeds: FreeSpeeds) 
         coordinates: Vec::new(),
         reached: vec![None; bodies],
         started: BTreeMap::new(),
-        hung: BTreeMap::new(),
         placed: BTreeSet::new(),
         angles: Vec::new(),
         displacements: HashMap::new(),

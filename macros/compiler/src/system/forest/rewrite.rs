@@ -40,12 +40,10 @@ impl Forest<'_> {
         None
     }
 
-    /// A triad of the same body whose z axis is that of another or its opposite, turned so that they are equal.
+    /// A triad of the same body, half turned about its x axis if its z axis is the opposite of that of the first; `None` if it is another.
     fn along_axis_of(&mut self, one: Triad, other: Triad) -> Option<Triad> {
-        let is_along = |triad: &Triad| (triad.body, triad.axes[2]) == (one.body, one.axes[2]);
-        Some(other)
-            .filter(|_| one.body == other.body)
-            .and_then(|other| [other, other.half_turned(self.arena, 0)].into_iter().find(is_along))
+        let candidates = [other, other.half_turned(self.arena, 0)];
+        candidates.into_iter().find(|triad| (triad.body, triad.axes[2]) == (one.body, one.axes[2]))
     }
 
     /// Angles of joints that keep their axes in one direction, by number of the quantity, each with its triads, whose z axes are equal.

@@ -1,6 +1,6 @@
 //! Start values of the unknowns, by the declared start of the bodies.
 
-use super::{Forest, Hung};
+use super::{Forest, Started};
 use crate::expr::{Arena, Binary, Expr, Leaf, Substitution, Triple, combination, dot};
 use crate::geometry::rotation;
 use crate::model::{Place, Relationship, Triad};
@@ -31,7 +31,7 @@ impl Forest<'_> {
     /// The same, as joints turn the body between ground and there, if its orientation is not declared.
     fn hinged_at_start(&mut self, place: Place) -> Triple {
         match place.body.and_then(|body| self.started.get(&body)) {
-            Some(columns) => combination(self.arena, place.local, *columns),
+            Some(started) => combination(self.arena, place.local, started.columns),
             None => self.at_start(place),
         }
     }
@@ -103,7 +103,6 @@ impl Forest<'_> {
     /// from, or not at all.
     pub(super) fn note_start(&mut self, inner: Triad, outer: Triad, angle: Option<Expr>) {
         let Some(body) = outer.body.filter(|body| !self.has_orientation(*body)) else { return };
-        self.hung.insert(body, Hung { inner, outer, is_hinged: angle.is_some() });
         let mut axes = inner.axes.map(|axis| self.hinged_at_start(Place { body: inner.body, local: axis }));
         match angle {
             Some(angle) => axes = self.about(angle, axes),
@@ -113,29 +112,27 @@ impl Forest<'_> {
             None => {}
         }
         let columns = self.columns(outer, axes);
-        self.started.insert(body, columns);
+        self.started.insert(body, Started { columns, inner, outer, is_hinged: angle.is_some() });
     }
 
-    /// The triad that replaces that of a new body so that an axis points as the partner's does: at its declared start the axis may point
-    /// against it.
+    /// The triad of a new body, half turned about its x axis if its z axis points against that of the other triad at the declared start.
     pub(super) fn facing(&mut self, inner: Triad, outer: Triad) -> Triad {
         if self.product_at_start(inner, outer, 2).is_some_and(|z| z < OPPOSED) { outer.half_turned(self.arena, 0) } else { outer }
     }
 
-    /// The triad that replaces that of a new body so that all three axes point as the partner's do: the nearest of four at the declared
-    /// start.
+    /// The triad of a new body, half turned about one of its axes if this brings it nearer to the other triad at the declared start.
     pub(super) fn facing_in_all(&mut self, inner: Triad, outer: Triad) -> Triad {
         let [Some(x), Some(y), Some(z)] = [0, 1, 2].map(|k| self.product_at_start(inner, outer, k)) else { return outer };
         // Half a turn about an axis reverses the products of the other two.
-        let (best, others) =
-            [(0, y + z), (1, z + x), (2, x + y)].into_iter().fold((0, 0.0), |best, one| if one.1 < best.1 { one } else { best });
-        if others < OPPOSED { outer.half_turned(self.arena, best) } else { outer }
+        let least = |least: (usize, f64), one: (usize, f64)| if one.1 < least.1 { one } else { least };
+        let (about, others) = [(0, y + z), (1, z + x), (2, x + y)].into_iter().fold((0, OPPOSED), least);
+        if others < OPPOSED { outer.half_turned(self.arena, about) } else { outer }
     }
 
-    /// Product of one axis of two triads at the start, at the defaults; `None` if it is not declared.
+    /// Product of one axis of two triads at the start, at the defaults; `None` if declared orientations do not say it.
     fn product_at_start(&mut self, inner: Triad, outer: Triad, axis: usize) -> Option<f64> {
         let [one, two] = [inner, outer].map(|triad| Place { body: triad.body, local: triad.axes[axis] });
-        if !two.body.is_some_and(|body| self.has_orientation(body)) || !self.is_declared(one) {
+        if !outer.body.is_some_and(|body| self.has_orientation(body)) || !self.is_declared(one) {
             return None;
         }
         let [one, two] = [one, two].map(|place| self.hinged_at_start(place));
@@ -143,16 +140,22 @@ impl Forest<'_> {
         self.at_defaults(value)
     }
 
-    /// True if the direction of an axis at the start follows from declared orientations: hinges along it do not turn it.
+    /// True if the direction of an axis at the start follows from declared orientations. A hinge does not turn its own axis.
     fn is_declared(&mut self, axis: Place) -> bool {
         let Some(body) = axis.body.filter(|body| !self.has_orientation(*body)) else { return true };
-        let Some(Hung { inner, outer, is_hinged }) = self.hung.get(&body).copied() else { return false };
-        let mut from = |k: usize| self.is_declared(Place { body: inner.body, local: inner.axes[k] });
-        if !is_hinged {
-            return [0, 1, 2].into_iter().all(from);
+        let Some(Started { inner, outer, is_hinged, .. }) = self.started.get(&body).copied() else { return false };
+        let opposite = axis.local.map(|part| self.arena.neg(part));
+        let mut kept = if is_hinged { 2..3 } else { 0..3 };
+        match kept.find(|k| [axis.local, opposite].contains(&outer.axes[*k])) {
+            Some(k) => self.is_declared(Place { body: inner.body, local: inner.axes[k] }),
+            None => !is_hinged && self.is_orientation_declared(inner.body),
         }
-        let is_along = from(2);
-        is_along && [outer, outer.half_turned(self.arena, 0)].iter().any(|triad| triad.axes[2] == axis.local)
+    }
+
+    /// True if the orientation of a body at the start is declared, or that of a body whose orientation it keeps.
+    fn is_orientation_declared(&self, body: Option<usize>) -> bool {
+        let Some(body) = body.filter(|body| !self.has_orientation(*body)) else { return true };
+        self.started.get(&body).is_some_and(|started| !started.is_hinged && self.is_orientation_declared(started.inner.body))
     }
 
     /// True if the orientation of a body at the start is declared.
