@@ -69,21 +69,24 @@ impl Numeric<'_> {
         Some(doubt("position", first, shown(&|unknown| start[unknown]), shown(&declared), millimetres(apart), instead))
     }
 
-    /// A body in space whose joint has another angle than its declared orientation says.
+    /// A body in space that is turned away from its declared orientation: its joint has another angle, or the declared orientations do
+    /// not keep the axes of the joint together.
     fn far_orientation(&self, structure: &Structure, start: &[f64], body: usize) -> Option<Doubt> {
         let is_far = |unknown: &usize| {
             let declared = self.declared[*unknown].unwrap_or(0.0);
             self.is_angle(*unknown) && within_a_turn(start[*unknown] - declared).abs() > FAR_ANGLE
         };
         let mut own = (0..start.len()).filter(|unknown| self.system.coordinates[*unknown].body == body);
-        let unknown = own.find(is_far)?;
+        let angle = own.find(is_far);
         let apart = self.turned_away(start, body).filter(|apart| *apart > FAR_ANGLE)?;
+        if angle.is_none() {
+            self.turned_against(start, body).filter(|apart| *apart > FAR_ANGLE)?;
+        }
         Some(Doubt::FarOrientation {
             body: self.model.bodies[body].name.to_string(),
-            angle: self.system.name(self.model, unknown),
-            found: degrees(within_a_turn(start[unknown])),
+            angle: angle.map(|unknown| (self.system.name(self.model, unknown), degrees(within_a_turn(start[unknown])))),
             apart: degrees(apart),
-            drive: self.drive_of(structure, unknown),
+            drive: angle.and_then(|unknown| self.drive_of(structure, unknown)),
             instead: self.as_turn(start, body)?,
         })
     }

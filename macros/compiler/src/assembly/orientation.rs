@@ -18,8 +18,16 @@ impl Numeric<'_> {
     /// The angle between the orientation of a body at the start and the declared one; `None` if no orientation is declared.
     pub(super) fn turned_away(&self, start: &[f64], body: usize) -> Option<f64> {
         let (declared, found) = (self.declared_orientation(body)?, self.orientation(start, body)?);
-        let cosine: f64 = found.iter().zip(declared).map(|(one, two)| one * two).sum();
-        Some(2.0 * libm::acos(cosine.abs().min(1.0)))
+        Some(between(declared, found))
+    }
+
+    /// The same, against the body on the other side of its joint, or ground; `None` if one of the two orientations is not declared.
+    pub(super) fn turned_against(&self, start: &[f64], body: usize) -> Option<f64> {
+        let Some(from) = self.joined_to(body) else { return self.turned_away(start, body) };
+        let relative = |[[real, x, y, z], body]: [Quaternion; 2]| product([real, -x, -y, -z], body);
+        let declared = relative([self.declared_orientation(from)?, self.declared_orientation(body)?]);
+        let found = relative([self.orientation(start, from)?, self.orientation(start, body)?]);
+        Some(between(declared, found))
     }
 
     /// The orientation to declare for a body in space, as a `turn`, so that the angle of its joint is that of a configuration; `None`
@@ -32,10 +40,15 @@ impl Numeric<'_> {
             return None;
         }
         let found = self.orientation(q, body)?;
-        let Some((_, Some(from))) = self.system.reached.get(body).copied().flatten() else { return Some(turn(found)) };
+        let Some(from) = self.joined_to(body) else { return Some(turn(found)) };
         let [real, x, y, z] = self.orientation(q, from)?;
         let relative = product([real, -x, -y, -z], found);
         Some(turn(product(self.declared_orientation(from).unwrap_or([1.0, 0.0, 0.0, 0.0]), relative)))
+    }
+
+    /// The body on the other side of the joint that leads to a body; `None` for ground, or if no joint does.
+    fn joined_to(&self, body: usize) -> Option<usize> {
+        self.system.reached.get(body).copied().flatten().and_then(|(_, from)| from)
     }
 
     fn declared_orientation(&self, body: usize) -> Option<Quaternion> {
@@ -49,6 +62,12 @@ impl Numeric<'_> {
         let cosines: Vec<Expr> = self.system.orientation(&mut arena, body).into_iter().map(|[value, _, _]| value).collect();
         quaternion(&evaluate(&arena, &cosines, &Values { coordinates: q, ..self.known }))
     }
+}
+
+/// The angle of the rotation that leads from one orientation to another.
+fn between(one: Quaternion, other: Quaternion) -> f64 {
+    let cosine: f64 = one.iter().zip(other).map(|(one, other)| one * other).sum();
+    2.0 * libm::acos(cosine.abs().min(1.0))
 }
 
 /// The product of two rotations: the second comes first.

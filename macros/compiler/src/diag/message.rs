@@ -75,12 +75,14 @@ impl fmt::Display for Doubt {
                 write!(f, ", {apart} from its declared start at {declared}")?;
                 write!(f, "\nhelp: write `start {coordinate} = {instead};`, or `#[allow(far_start)]` before the mechanism")
             }
-            Doubt::FarOrientation { body, angle, found, apart, drive, instead } => {
-                match drive {
-                    Some(drive) => write!(f, "`{drive}` turns `{body}` to `{angle}` = {found} at t = 0")?,
-                    None => write!(f, "the nearest assembly has `{body}` at `{angle}` = {found}")?,
+            Doubt::FarOrientation { body, angle, apart, drive, instead } => {
+                match (drive, angle) {
+                    (Some(drive), Some((angle, found))) => write!(f, "`{drive}` turns `{body}` to `{angle}` = {found} at t = 0")?,
+                    (None, Some((angle, found))) => write!(f, "the nearest assembly has `{body}` at `{angle}` = {found}")?,
+                    (_, None) => write!(f, "the joints keep `{body}`")?,
                 }
-                write!(f, ", turned {apart} away from its declared start")?;
+                let turned = if angle.is_some() { ", turned" } else { " turned" };
+                write!(f, "{turned} {apart} away from its declared start")?;
                 write!(f, "\nhelp: write `start orientation = {instead};`, or `#[allow(far_start)]` before the mechanism")
             }
             Doubt::BareLength { number, longest } => {

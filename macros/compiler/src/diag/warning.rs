@@ -40,10 +40,8 @@ pub enum Doubt {
     FarOrientation {
         /// Path of the body.
         body: String,
-        /// An angle of a joint that differs: `hinge.angle`.
-        angle: String,
-        /// Assembled value of this angle, with its unit.
-        found: String,
+        /// An angle of a joint that differs, `hinge.angle`, and its assembled value with the unit; none if the axes of the joint differ.
+        angle: Option<(String, String)>,
         /// Angle between the two orientations.
         apart: String,
         /// Drive that determines the angle, whatever is declared.

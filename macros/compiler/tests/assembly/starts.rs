@@ -263,6 +263,17 @@ fn an_orientation_far_from_its_start_is_told() {
 }
 
 #[test]
+fn a_declared_orientation_across_the_hinge_is_told() {
+    let turned = |across: f64| spatial(&format!("start orientation = turn((0, 0, 1), 110deg) * turn((1, 0, 0), {across}deg);"));
+    assert_eq!(doubts(&turned(40.0)), []);
+    let compiled = accepted(&turned(60.0));
+    let [warning] = compiled.assembly.warnings.as_slice() else { panic!("{:?}", compiled.assembly.warnings) };
+    let words = warning.doubt.to_string();
+    assert!(words.starts_with("the joints keep `rocker` turned 60° away from its declared start\n"), "{words}");
+    assert!(words.contains("`start orientation = turn((0, 0, 1), 110deg);`"), "{words}");
+}
+
+#[test]
 fn the_orientation_that_a_refusal_shows_leads_to_the_first_of_the_two_assemblies() {
     let source = spatial("").replace("90deg + 60rpm", "60rpm");
     let fact = refused(&source);
