@@ -141,8 +141,8 @@ pub use api::csv;
 #[cfg(feature = "rayon")]
 pub use api::parallel;
 pub use api::{
-    DriveLoad, Gradient, HasOutput, Loads, Matrix, Mechanism, OutputName, OutputNames, Outputs, PlanarForce, PlanarLoad, Prepare, Prepared,
-    Slice, SliceState, Sliced, SpatialForce, SpatialLoad, Sweep, Vector, sweep,
+    Differentiable, DriveLoad, Gradient, HasOutput, Loads, Matrix, Mechanism, OutputName, OutputNames, Outputs, PlanarForce, PlanarLoad,
+    Prepare, Prepared, Slice, SliceState, Sliced, SpatialForce, SpatialLoad, Sweep, Vector, sweep,
 };
 #[doc(hidden)]
 pub use api::{
@@ -162,7 +162,7 @@ pub use names::{
     BranchEnd, Cause, Coordinate, CoordinateKind, Culprit, Description, Operations, ParameterOutOfRange, Plan, PlanStage, Row,
 };
 pub use newton::{Block, Iterate, Solved, StepError};
-pub use number::{DetSign, Ends, Float, Mask, Real, SimdReal, Single, Table, Time, Times};
+pub use number::{DetSign, Ends, Float, Mask, Real, Scalar, SimdReal, Single, Table, Time, Times};
 #[doc(hidden)]
 pub use path::step_in_part;
 #[doc(hidden)]

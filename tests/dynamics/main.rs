@@ -4,6 +4,7 @@
 mod compare;
 mod bricard;
 mod conserved;
+mod derivatives;
 mod forces;
 mod integrated;
 mod kept;

@@ -3,7 +3,7 @@
 use nalgebra::{Vector2, Vector3};
 
 use super::loads::Loads;
-use crate::number::Float;
+use crate::number::Scalar;
 
 /// Action of a force in the plane, in the axes of ground: its vectors in the order in which they are declared, those on ground among them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,7 +27,7 @@ pub struct SpatialForce<T, const P: usize, const B: usize> {
     pub power: T,
 }
 
-impl<T: Float, const M: usize, const A: usize> Loads<T, M, A> {
+impl<T: Scalar, const M: usize, const A: usize> Loads<T, M, A> {
     /// A force in the plane, by the places of its numbers.
     #[doc(hidden)]
     #[must_use]

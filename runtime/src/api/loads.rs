@@ -8,7 +8,7 @@ use core::ops::Range;
 
 use nalgebra::{SMatrix, SVector, Vector2, Vector3};
 
-use crate::number::Float;
+use crate::number::Scalar;
 use crate::state::{PlanarBody, SpatialBody};
 
 /// Multipliers of a mechanism with `M` equations, and `A` numbers with the loads of its joints and drives.
@@ -47,7 +47,7 @@ pub struct SpatialLoad<T> {
     pub is_unique: bool,
 }
 
-impl<T: Float> PlanarLoad<T> {
+impl<T: Scalar> PlanarLoad<T> {
     /// The opposite load, which acts on the other body about the same point.
     #[must_use]
     pub fn on_other(self) -> Self {
@@ -63,7 +63,7 @@ impl<T: Float> PlanarLoad<T> {
     }
 }
 
-impl<T: Float> SpatialLoad<T> {
+impl<T: Scalar> SpatialLoad<T> {
     /// The opposite load, which acts on the other body about the same point.
     #[must_use]
     pub fn on_other(self) -> Self {
@@ -95,7 +95,7 @@ pub struct DriveLoad<T> {
 /// A column counts as dependent on others if eliminating them leaves less than this fraction of the largest entry.
 const DEPENDENT: f64 = 1e-11;
 
-impl<T: Float, const M: usize, const A: usize> Loads<T, M, A> {
+impl<T: Scalar, const M: usize, const A: usize> Loads<T, M, A> {
     /// The multipliers of Φ_uᵀ λ = −f, and the loads that follow from them.
     ///
     /// * `jacobian`: given, Φ_u.
@@ -181,7 +181,7 @@ impl<T: Float, const M: usize, const A: usize> Loads<T, M, A> {
 
 /// Gauss-Jordan elimination with complete pivoting: afterwards the columns `pivots[..rank]` are unit vectors in this order. Returns all
 /// columns, the eliminated ones first, and their number.
-fn eliminate<T: Float, const M: usize, const U: usize>(matrix: &mut SMatrix<T, U, M>, right: &mut SVector<T, U>) -> ([usize; M], usize) {
+fn eliminate<T: Scalar, const M: usize, const U: usize>(matrix: &mut SMatrix<T, U, M>, right: &mut SVector<T, U>) -> ([usize; M], usize) {
     let mut pivots: [usize; M] = core::array::from_fn(|k| k);
     let mut largest = T::of(0.0);
     for rank in 0..M.min(U) {
@@ -223,7 +223,7 @@ fn eliminate<T: Float, const M: usize, const U: usize>(matrix: &mut SMatrix<T, U
 }
 
 /// Removes the component along the null space from a solution, and marks multipliers with an entry in the null space as not unique.
-fn least_norm<T: Float, const M: usize, const U: usize>(
+fn least_norm<T: Scalar, const M: usize, const U: usize>(
     matrix: &SMatrix<T, U, M>,
     pivots: &[usize; M],
     rank: usize,
@@ -262,6 +262,6 @@ fn least_norm<T: Float, const M: usize, const U: usize>(
     }
 }
 
-fn sum<T: Float>(terms: impl Iterator<Item = T>) -> T {
+fn sum<T: Scalar>(terms: impl Iterator<Item = T>) -> T {
     terms.fold(T::of(0.0), |sum, term| sum + term)
 }

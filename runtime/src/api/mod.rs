@@ -23,7 +23,7 @@ mod sweep;
 pub use drawable::Drawable;
 pub use forces::{PlanarForce, SpatialForce};
 pub use generated::{Matrix, Named, Relation, Vector, between, finite, require, within};
-pub use gradient::Gradient;
+pub use gradient::{Differentiable, Gradient};
 pub use inputs::{advance_with_inputs, solve_with_inputs, sweep_with_inputs};
 pub use loads::{DriveLoad, Loads, PlanarLoad, SpatialLoad};
 pub use mechanism::Mechanism;

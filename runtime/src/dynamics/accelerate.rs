@@ -10,7 +10,7 @@ use nalgebra::{SMatrix, SVector};
 use super::equations::{Balance, Dynamics};
 use super::partition::{Partition, Pivots, Redundant, WORSE};
 use super::stopped::Stopped;
-use crate::number::Float;
+use crate::number::Scalar;
 
 /// Times ε: a pivot of the mass matrix below this part of its diagonal entry counts as zero.
 const MASSLESS: f64 = 500.0;
@@ -23,7 +23,7 @@ pub(super) fn accelerations<T, S, const N: usize, const I: usize, const M: usize
     pivots: &mut Option<Pivots<T, M, I>>,
 ) -> Result<[T; I], Stopped<T>>
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     match mechanism.accelerations(q, qd, t) {
@@ -41,7 +41,7 @@ pub(super) fn eliminated<T, S, const N: usize, const I: usize, const M: usize, c
     pivots: &mut Option<Pivots<T, M, I>>,
 ) -> Result<[T; I], Stopped<T>>
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     let Balance { jacobian, gamma, mass, forces } = mechanism.balance(q, qd, t);
@@ -78,7 +78,7 @@ where
 /// A row depends on the others.
 pub(super) fn singular<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(time: T, row: usize) -> Stopped<T>
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     Stopped::Singular { time, joint: S::JOINTS.get(row).copied().unwrap_or_default() }
@@ -87,7 +87,7 @@ where
 /// L for lengths, 1 for angles.
 pub(super) fn lengths<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(mechanism: &S) -> [T; I]
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     let length = mechanism.characteristic_length();
@@ -99,7 +99,7 @@ pub(super) fn redundant<T, S, const N: usize, const I: usize, const M: usize, co
     mechanism: &S,
 ) -> Redundant<T, K>
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     let length = if S::REDUNDANT > 0 { mechanism.characteristic_length() } else { T::of(1.0) };
@@ -108,7 +108,7 @@ where
 }
 
 /// A product with a symmetric matrix, of which the lower triangle counts.
-fn times<T: Float, const I: usize>(lower: &SMatrix<T, I, I>, vector: &[T; I]) -> [T; I] {
+fn times<T: Scalar, const I: usize>(lower: &SMatrix<T, I, I>, vector: &[T; I]) -> [T; I] {
     let columns = &lower.data.0;
     let mut product = [T::ZERO; I];
     for row in 0..I {
@@ -123,7 +123,7 @@ fn times<T: Float, const I: usize>(lower: &SMatrix<T, I, I>, vector: &[T; I]) ->
     product
 }
 
-fn dot<T: Float, const I: usize>(one: &[T; I], two: &[T; I]) -> T {
+fn dot<T: Scalar, const I: usize>(one: &[T; I], two: &[T; I]) -> T {
     one.iter().zip(two).fold(T::ZERO, |sum, (one, two)| sum + *one * *two)
 }
 
@@ -131,7 +131,7 @@ fn dot<T: Float, const I: usize>(one: &[T; I], two: &[T; I]) -> T {
 ///
 /// # Errors
 /// The number of a row of which the rows before leave nothing above rounding.
-fn solve<T: Float, const I: usize>(matrix: &mut [[T; I]; I], right: &mut [T; I], count: usize) -> Result<(), usize> {
+fn solve<T: Scalar, const I: usize>(matrix: &mut [[T; I]; I], right: &mut [T; I], count: usize) -> Result<(), usize> {
     let before: [T; I] = core::array::from_fn(|k| matrix[k][k]);
     for k in 0..I {
         if k >= count {

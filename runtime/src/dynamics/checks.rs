@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::equations::Dynamics;
 use super::stopped::Stopped;
 use crate::names::{Description, Row};
-use crate::number::Float;
+use crate::number::Scalar;
 
 /// The joint whose row is off most, and its residual; `None` if all rows hold.
 ///
@@ -13,7 +13,7 @@ use crate::number::Float;
 /// the condition of their elimination.
 ///
 /// * `rows`: given, the joint of each row, its residual, and the power of a length with which it is judged.
-pub fn misfit<T: Float, S: Description<T, N>, const N: usize>(
+pub fn misfit<T: Scalar, S: Description<T, N>, const N: usize>(
     mechanism: &S,
     rows: &[(&'static str, T, usize)],
 ) -> Option<(&'static str, T)> {
@@ -40,7 +40,7 @@ pub(super) fn holds<T, S, const N: usize, const I: usize, const M: usize, const 
     time: T,
 ) -> Result<(), Stopped<T>>
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     match mechanism.misfit(q, time) {
@@ -50,7 +50,7 @@ where
 }
 
 /// The unit of the rows of a joint; empty if they have several.
-pub(super) fn unit_of<T: Float, S: Description<T, N>, const N: usize>(joint: &str) -> &'static str {
+pub(super) fn unit_of<T: Scalar, S: Description<T, N>, const N: usize>(joint: &str) -> &'static str {
     let is_of_it = |row: &&Row| row.joint == joint;
     let first = S::ROWS.iter().find(is_of_it).map_or("", |row| row.unit);
     if S::ROWS.iter().filter(is_of_it).all(|row| row.unit == first) { first } else { "" }

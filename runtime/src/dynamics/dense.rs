@@ -15,7 +15,7 @@ use super::project::{levels, project, refresh};
 use super::stopped::Stopped;
 use super::tableau::Rates;
 use super::tableau::{DENSE, STAGES, dense, dense_node, dense_stage};
-use crate::number::Float;
+use crate::number::Scalar;
 use crate::state::State;
 
 /// A step that states are asked of.
@@ -29,7 +29,7 @@ pub(super) struct Dense<T, const N: usize, const I: usize> {
     coefficients: [[[T; 8]; I]; 2],
 }
 
-impl<T: Float, const N: usize, const I: usize> Dense<T, N, I> {
+impl<T: Scalar, const N: usize, const I: usize> Dense<T, N, I> {
     /// The polynomials of a step.
     ///
     /// # Errors

@@ -3,14 +3,14 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::names::Description;
-use crate::number::Float;
+use crate::number::Scalar;
 use crate::state::State;
 
 /// Equations of motion of a mechanism with `N` entries of its state, of which `I` are integrated, `M` equations between them and `R`
 /// equations at t = 0. Emitted code implements it.
 ///
 /// Vectors q, q̇ and q̈ have the `N` entries of the state; only the integrated ones are read.
-pub trait Dynamics<T: Float, const N: usize, const I: usize, const M: usize, const R: usize>: Description<T, N> {
+pub trait Dynamics<T: Scalar, const N: usize, const I: usize, const M: usize, const R: usize>: Description<T, N> {
     /// Indices of the integrated coordinates.
     const INTEGRATED: [usize; I];
 

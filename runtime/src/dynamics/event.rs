@@ -5,11 +5,14 @@ use super::method::Method;
 use super::places::{picked, put};
 use super::step::land;
 use super::stopped::Stopped;
-use crate::number::Float;
+use crate::number::Scalar;
 use crate::state::State;
 
 /// Most steps of the search for an instant.
 const SEARCH: usize = 60;
+
+/// Corrections of the derivatives of an instant; each leaves a part √ε of their error.
+const DERIVATIVES: usize = 2;
 
 /// How often an event is looked at in a step.
 const LOOKS: usize = 8;
@@ -22,7 +25,7 @@ pub(super) fn first_event<K: Method, T, S, const N: usize, const I: usize, const
     event: &impl Fn(&State<T, N>) -> T,
 ) -> Result<Option<State<T, N>>, Stopped<T>>
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     let whole = to.t - from.t;
@@ -54,7 +57,7 @@ fn between<T, S, const N: usize, const I: usize, const M: usize, const R: usize>
     part: T,
 ) -> State<T, N>
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     let h = to.t - from.t;
@@ -93,7 +96,7 @@ fn locate<K: Method, T, S, const N: usize, const I: usize, const M: usize, const
     event: &impl Fn(&State<T, N>) -> T,
 ) -> Result<Option<State<T, N>>, Stopped<T>>
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     let at = |h: T| {
@@ -124,6 +127,17 @@ where
             high.1 = if last < T::ZERO { high.1 * T::of(0.5) } else { high.1 };
             last = T::of(-1.0);
         }
+    }
+    // The search compares values: how the instant depends on parameters follows by Newton's method.
+    for _ in 0..DERIVATIVES {
+        let (h, value, _) = found;
+        let by_parameters = value - value.without_derivatives();
+        if by_parameters == T::ZERO {
+            break;
+        }
+        let later = at(h + T::ROOT_EPSILON * h)?;
+        let slope = (later.1 - value).without_derivatives() / (T::ROOT_EPSILON * h).without_derivatives();
+        found = at(h - by_parameters / slope)?;
     }
     Ok(Some(found.2))
 }

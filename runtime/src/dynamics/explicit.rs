@@ -6,7 +6,7 @@ use super::method::{Method, Trial};
 use super::places::{picked, put};
 use super::stopped::Stopped;
 use super::tableau::{Rates, STAGES, errors, node, stage, step};
-use crate::number::Float;
+use crate::number::Scalar;
 use crate::state::State;
 
 /// Steps by rates in stages that follow from each other: order 8.
@@ -27,7 +27,7 @@ impl Method for Explicit {
         h: T,
     ) -> Result<Trial<T, N, I>, Stopped<T>>
     where
-        T: Float,
+        T: Scalar,
         S: Dynamics<T, N, I, M, R>,
     {
         let rates = stages(mechanism, state, h)?;
@@ -49,7 +49,7 @@ fn stages<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     h: T,
 ) -> Result<Rates<T, I>, Stopped<T>>
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     let [q, u, a] = [&state.q, &state.qd, &state.qdd].map(|vector| picked(vector, &S::INTEGRATED));

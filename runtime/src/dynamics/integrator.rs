@@ -14,7 +14,7 @@ use super::step::{Reached, error, land};
 use super::stiff::Stiff;
 use super::stopped::Stopped;
 use super::tableau::Rates;
-use crate::number::Float;
+use crate::number::Scalar;
 use crate::state::State;
 
 /// Steps of a motion: their tolerance, size, and counts of evaluations.
@@ -41,7 +41,7 @@ pub struct Integrator<T = f64, K = Explicit> {
     pub method: PhantomData<K>,
 }
 
-impl<T: Float> Integrator<T> {
+impl<T: Scalar> Integrator<T> {
     /// Steps with this relative error, from 1e-4 to 1e-13: explicit, of order 8 (Dormand and Prince).
     #[must_use]
     pub fn new(tolerance: T) -> Self {
@@ -51,7 +51,7 @@ impl<T: Float> Integrator<T> {
     }
 }
 
-impl<T: Float> Integrator<T, Stiff> {
+impl<T: Scalar> Integrator<T, Stiff> {
     /// Steps for stiff motions with this relative error, from 1e-2 to 1e-8: linearly implicit, of order 4, and L-stable (Hairer and Wanner's
     /// RODAS). Springs and dampers whose oscillations have died out do not bound their length.
     #[must_use]
@@ -61,7 +61,7 @@ impl<T: Float> Integrator<T, Stiff> {
     }
 }
 
-impl<T: Float, K: Method> Integrator<T, K> {
+impl<T: Scalar, K: Method> Integrator<T, K> {
     /// Takes a state to time `t`, forwards or backwards, as long as `goes_on` says so of the state after each step. True if the time is
     /// reached.
     ///
@@ -118,7 +118,7 @@ impl<T: Float, K: Method> Integrator<T, K> {
         refresh(mechanism, state)?;
         if self.step == T::ZERO {
             // A pulse that comes later is not to be stepped over from rest.
-            self.step = least(first_step(mechanism, state), T::of(FIRST) * rest.abs());
+            self.step = least(first_step(mechanism, state), T::of(FIRST) * rest.abs()).without_derivatives();
         }
         Ok(())
     }
@@ -199,7 +199,7 @@ impl<T: Float, K: Method> Integrator<T, K> {
                 (self.accepted, self.fastest) = (self.accepted + 1, fastest);
                 let grown = wanted * factor::<T, K>(error, 6.0);
                 // A last step that was cut says nothing of the next one, unless it allows more.
-                self.step = if is_last { self.step.abs().max(h.abs() * factor::<T, K>(error, 6.0)) } else { grown };
+                self.step = if is_last { self.step.abs().max(h.without_derivatives().abs() * factor::<T, K>(error, 6.0)) } else { grown };
                 if is_last {
                     next.values.t = t;
                 }
@@ -207,7 +207,7 @@ impl<T: Float, K: Method> Integrator<T, K> {
             }
             self.rejected += 1;
             let shorter = if tried.is_err() { T::of(0.2) } else { factor::<T, K>(error, 1.0) };
-            self.step = h.abs() * shorter;
+            self.step = h.without_derivatives().abs() * shorter;
             if self.step <= T::of(4.0) * T::EPSILON * state.t.abs() || self.step < T::of(SHORTEST) {
                 return Err(tried.err().unwrap_or(Stopped::StepTooShort { time: state.t }));
             }
@@ -219,7 +219,8 @@ impl<T: Float, K: Method> Integrator<T, K> {
 const FIRST: f64 = 0.01;
 
 /// Change of the step size for an error relative to the tolerance: its eighth or fourth root, with reserve.
-fn factor<T: Float, K: Method>(error: T, most: f64) -> T {
+fn factor<T: Scalar, K: Method>(error: T, most: f64) -> T {
+    let error = error.without_derivatives();
     if !error.is_finite() {
         return T::of(0.2);
     }
@@ -227,14 +228,14 @@ fn factor<T: Float, K: Method>(error: T, most: f64) -> T {
     least((T::of(0.9) / root).max(T::of(0.2)), T::of(most))
 }
 
-pub(super) fn least<T: Float>(one: T, two: T) -> T {
+pub(super) fn least<T: Scalar>(one: T, two: T) -> T {
     if two < one { two } else { one }
 }
 
 /// A step in which no coordinate moves by more than a hundredth of its scale.
 fn first_step<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(mechanism: &S, state: &State<T, N>) -> T
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     let lengths = lengths(mechanism);

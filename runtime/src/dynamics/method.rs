@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::equations::Dynamics;
 use super::stopped::Stopped;
 use super::tableau::Rates;
-use crate::number::Float;
+use crate::number::Scalar;
 use crate::state::State;
 
 /// How a step is made.
@@ -30,7 +30,7 @@ pub trait Method: Copy {
         h: T,
     ) -> Result<Trial<T, N, I>, Stopped<T>>
     where
-        T: Float,
+        T: Scalar,
         S: Dynamics<T, N, I, M, R>;
 }
 

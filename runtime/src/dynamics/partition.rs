@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::number::Float;
+use crate::number::Scalar;
 
 /// Times √ε: a pivot below this part of its row counts as zero.
 const DEPENDENT: f64 = 0.01;
@@ -68,7 +68,7 @@ impl<T, const M: usize, const I: usize> Pivots<T, M, I> {
 }
 
 /// The matrix by rows.
-fn by_rows<T: Float, const M: usize, const I: usize>(matrix: &SMatrix<T, M, I>) -> [[T; I]; M] {
+fn by_rows<T: Scalar, const M: usize, const I: usize>(matrix: &SMatrix<T, M, I>) -> [[T; I]; M] {
     let columns = &matrix.data.0;
     core::array::from_fn(|row| core::array::from_fn(|column| columns[column][row]))
 }
@@ -89,11 +89,11 @@ fn exchange<X: Copy>(list: &mut [X], one: usize, two: usize) {
 }
 
 /// Largest entry of a row, in comparable units.
-fn size<T: Float, const I: usize>(row: &[T; I], lengths: &[T; I]) -> T {
+fn size<T: Scalar, const I: usize>(row: &[T; I], lengths: &[T; I]) -> T {
     row.iter().zip(lengths).fold(T::ZERO, |size, (entry, length)| size.max((*entry * *length).abs()))
 }
 
-impl<T: Float, const M: usize, const I: usize> Partition<T, M, I> {
+impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
     /// Eliminates rows; each pivot is the largest entry of all, relative to its row.
     ///
     /// * `lengths`: given, for each unknown the number that makes it comparable with the others.
@@ -251,7 +251,7 @@ impl<T: Float, const M: usize, const I: usize> Partition<T, M, I> {
 }
 
 /// True where two matrices, eliminated in the same order, have a pivot of different sign: between them a partition fails, or rank is lost.
-pub(super) fn has_other_signs<T: Float, const M: usize, const I: usize>(
+pub(super) fn has_other_signs<T: Scalar, const M: usize, const I: usize>(
     one: &SMatrix<T, M, I>,
     two: &SMatrix<T, M, I>,
     pivots: &Pivots<T, M, I>,
@@ -260,7 +260,7 @@ pub(super) fn has_other_signs<T: Float, const M: usize, const I: usize>(
 }
 
 /// For each pivot whether it is above zero.
-fn signs<T: Float, const M: usize, const I: usize>(matrix: &SMatrix<T, M, I>, pivots: &Pivots<T, M, I>) -> [bool; M] {
+fn signs<T: Scalar, const M: usize, const I: usize>(matrix: &SMatrix<T, M, I>, pivots: &Pivots<T, M, I>) -> [bool; M] {
     let mut rows = ordered(&by_rows(matrix), &pivots.rows, [T::ZERO; I]).map(|row| ordered(&row, &pivots.unknowns, T::ZERO));
     let mut signs = [true; M];
     for (k, sign) in signs.iter_mut().enumerate().take(pivots.count) {
@@ -278,7 +278,7 @@ fn signs<T: Float, const M: usize, const I: usize>(matrix: &SMatrix<T, M, I>, pi
 }
 
 /// The row that depends most on the others, and its remainder relative to the row at a regular state.
-pub(super) fn weakest<T: Float, const M: usize, const I: usize>(
+pub(super) fn weakest<T: Scalar, const M: usize, const I: usize>(
     matrix: &SMatrix<T, M, I>,
     elsewhere: &SMatrix<T, M, I>,
     lengths: &[T; I],

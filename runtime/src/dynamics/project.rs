@@ -9,7 +9,7 @@ use super::integrator::least;
 use super::partition::{ABOUT_AS_GOOD, Partition, Pivots, WORSE};
 use super::places::{is_finite, largest, picked, put};
 use super::stopped::Stopped;
-use crate::number::Float;
+use crate::number::Scalar;
 use crate::state::State;
 
 /// Most corrections of positions.
@@ -34,7 +34,7 @@ pub(super) fn project<T, S, const N: usize, const I: usize, const M: usize, cons
     levels: impl Fn(usize) -> [bool; 2],
 ) -> Result<(SMatrix<T, K, I>, Pivots<T, K, I>), Open<T>>
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     let (q, qd) = state;
@@ -110,7 +110,7 @@ impl<T> Open<T> {
 }
 
 /// The row that is open furthest, and its residual; the first one whose residual is not a number.
-fn gap<T: Float, const K: usize, const I: usize>(here: &Constraints<T, K, I>, counts: impl Fn(usize) -> bool) -> (usize, T) {
+fn gap<T: Scalar, const K: usize, const I: usize>(here: &Constraints<T, K, I>, counts: impl Fn(usize) -> bool) -> (usize, T) {
     let mut gap = (0, T::ZERO);
     for (row, phi) in here.phi.iter().enumerate().filter(|(row, _)| counts(*row)) {
         let size = phi.abs();
@@ -125,7 +125,7 @@ fn gap<T: Float, const K: usize, const I: usize>(here: &Constraints<T, K, I>, co
 /// Whether an equation counts between positions, and whether between speeds.
 pub(super) fn levels<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(row: usize) -> [bool; 2]
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     S::LEVELS.get(row).copied().unwrap_or([false; 2])
@@ -144,7 +144,7 @@ fn assemble<T, S, const N: usize, const I: usize, const M: usize, const R: usize
     (q, qd): (&mut SVector<T, N>, &mut SVector<T, N>),
 ) -> Result<(), Open<T>>
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     let lengths = lengths(mechanism);
@@ -176,7 +176,7 @@ where
 /// The state at t = 0, at the initial values of the freedoms.
 pub fn initial_state<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(mechanism: &S) -> Result<State<T, N>, Stopped<T>>
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     mechanism.validate().map_err(Stopped::ParameterOutOfRange)?;
@@ -201,7 +201,7 @@ pub fn refresh<T, S, const N: usize, const I: usize, const M: usize, const R: us
     state: &mut State<T, N>,
 ) -> Result<(), Stopped<T>>
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     refresh_inlined(mechanism, state)
@@ -214,7 +214,7 @@ pub fn refresh_inlined<T, S, const N: usize, const I: usize, const M: usize, con
     state: &mut State<T, N>,
 ) -> Result<(), Stopped<T>>
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     let found = match mechanism.accelerations(&state.q, &state.qd, state.t) {

@@ -9,7 +9,7 @@ use super::partition::{Partition, has_other_signs, weakest};
 use super::places::picked;
 use super::step::Reached;
 use super::stopped::Stopped;
-use crate::number::Float;
+use crate::number::Scalar;
 use crate::state::State;
 
 /// Most steps of the search for an instant.
@@ -31,7 +31,7 @@ pub(super) fn keeps_rank<K: Method, T, S, const N: usize, const I: usize, const 
     (to, (jacobian, pivots)): (&State<T, N>, &Reached<T, M, I>),
 ) -> Result<(), Stopped<T>>
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     if before.is_some_and(|(_, earlier)| earlier.agree_with(pivots)) {
@@ -78,7 +78,7 @@ fn by_turns<T, S, const N: usize, const I: usize, const M: usize, const R: usize
     q: &SVector<T, N>,
 ) -> SMatrix<T, M, I>
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     let (mut turned, components) = (*rows, picked(q, &S::INTEGRATED));

@@ -12,7 +12,7 @@ use super::places::{is_finite, largest, picked};
 use super::project::{levels, project, refresh};
 use super::rank::keeps_rank;
 use super::stopped::Stopped;
-use crate::number::Float;
+use crate::number::Scalar;
 use crate::state::State;
 
 /// One step of fixed size, without an estimate of its error.
@@ -22,7 +22,7 @@ pub fn fixed_step<T, S, const N: usize, const I: usize, const M: usize, const R:
     h: T,
 ) -> Result<(), Stopped<T>>
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     // Parameters may have changed since the accelerations were computed.
@@ -46,7 +46,7 @@ pub(super) fn land<T, S, const N: usize, const I: usize, const M: usize, const R
     before: Option<&Reached<T, M, I>>,
 ) -> Result<(State<T, N>, Reached<T, M, I>), Stopped<T>>
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     let ([mut q, mut qd], t) = (trial.end, state.t + h);
@@ -80,7 +80,7 @@ pub(super) fn error<T, S, const N: usize, const I: usize, const M: usize, const 
     (tolerance, mut fastest): (T, T),
 ) -> (T, T)
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     let lengths = lengths(mechanism);

@@ -17,7 +17,7 @@ use super::method::{Method, Trial};
 use super::partition::Pivots;
 use super::places::{picked, put};
 use super::stopped::Stopped;
-use crate::number::Float;
+use crate::number::Scalar;
 use crate::state::State;
 
 const STAGES: usize = 6;
@@ -35,7 +35,7 @@ macro_rules! sum {
 
 /// Σ a_ij U_j; the last stage begins where the fifth ends.
 #[inline(always)]
-fn place<T: Float>(stage: usize, k: &Found<T>) -> T {
+fn place<T: Scalar>(stage: usize, k: &Found<T>) -> T {
     match stage {
         1 => sum!(k: 0 => 1.544),
         2 => sum!(k: 0 => 0.9466785280815826, 1 => 0.2557011698983284),
@@ -48,7 +48,7 @@ fn place<T: Float>(stage: usize, k: &Found<T>) -> T {
 
 /// Σ c_ij U_j
 #[inline(always)]
-fn coupling<T: Float>(stage: usize, k: &Found<T>) -> T {
+fn coupling<T: Scalar>(stage: usize, k: &Found<T>) -> T {
     match stage {
         1 => sum!(k: 0 => -5.6688),
         2 => sum!(k: 0 => -2.430093356833875, 1 => -0.2063599157091915),
@@ -63,7 +63,7 @@ fn coupling<T: Float>(stage: usize, k: &Found<T>) -> T {
 
 /// Time of a stage, and its part of the derivative by time.
 #[inline(always)]
-fn times<T: Float>(stage: usize) -> [T; 2] {
+fn times<T: Scalar>(stage: usize) -> [T; 2] {
     match stage {
         0 => [T::of(0.0), T::of(0.25)],
         1 => [T::of(0.386), T::of(-0.1043)],
@@ -92,7 +92,7 @@ impl Method for Stiff {
         h: T,
     ) -> Result<Trial<T, N, I>, Stopped<T>>
     where
-        T: Float,
+        T: Scalar,
         S: Dynamics<T, N, I, M, R>,
     {
         let [q, u, a] = [&state.q, &state.qd, &state.qdd].map(|vector| picked(vector, &S::INTEGRATED));
@@ -149,7 +149,7 @@ struct MotionAt<'a, T, S, const N: usize, const I: usize, const M: usize> {
 /// Derivatives of each acceleration, by row.
 type Slopes<T, const I: usize> = [[T; I]; I];
 
-impl<T: Float, S, const N: usize, const I: usize, const M: usize> MotionAt<'_, T, S, N, I, M> {
+impl<T: Scalar, S, const N: usize, const I: usize, const M: usize> MotionAt<'_, T, S, N, I, M> {
     fn at<const R: usize>(&mut self, motion: [&[T; I]; 2], t: T) -> Result<[T; I], Stopped<T>>
     where
         S: Dynamics<T, N, I, M, R>,
@@ -200,7 +200,7 @@ struct Factors<T, const I: usize> {
     order: [usize; I],
 }
 
-impl<T: Float, const I: usize> Factors<T, I> {
+impl<T: Scalar, const I: usize> Factors<T, I> {
     fn new(mut rows: [[T; I]; I]) -> Self {
         let mut order: [usize; I] = core::array::from_fn(|k| k);
         for k in 0..I {

@@ -3,7 +3,7 @@
 use core::fmt::{self, Display, Formatter};
 
 use crate::names::{Measure, ParameterOutOfRange};
-use crate::number::Float;
+use crate::number::Scalar;
 
 /// Why there is no initial state, or why a motion stops. `{:?}` is the sentence, as `{}` is.
 #[derive(Clone, Copy, PartialEq)]
@@ -71,7 +71,7 @@ pub enum Stopped<T> {
     ParameterOutOfRange(ParameterOutOfRange<T>),
 }
 
-impl<T: Float + Display> Display for Stopped<T> {
+impl<T: Scalar + Display> Display for Stopped<T> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
             Stopped::NotAssembled { joint, residual, unit } => {
@@ -108,10 +108,10 @@ impl<T: Float + Display> Display for Stopped<T> {
     }
 }
 
-impl<T: Float + Display> fmt::Debug for Stopped<T> {
+impl<T: Scalar + Display> fmt::Debug for Stopped<T> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         Display::fmt(self, f)
     }
 }
 
-impl<T: Float + Display> core::error::Error for Stopped<T> {}
+impl<T: Scalar + Display> core::error::Error for Stopped<T> {}

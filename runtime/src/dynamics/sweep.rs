@@ -7,7 +7,7 @@ use super::integrator::Integrator;
 use super::method::Method;
 use super::step::Reached;
 use super::stopped::Stopped;
-use crate::number::{Float, Time};
+use crate::number::{Scalar, Time};
 use crate::state::State;
 
 /// States of a motion at given times: steps are as long as the tolerance allows, and states between their ends are interpolated.
@@ -30,7 +30,7 @@ pub struct MotionSweep<'a, S, T, X, const N: usize, const I: usize, const M: usi
 
 impl<'a, S, T, X, const N: usize, const I: usize, const M: usize, const R: usize, K: Method> MotionSweep<'a, S, T, X, N, I, M, R, K>
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     /// Begins at a state.
@@ -83,7 +83,7 @@ where
 impl<S, T, X, const N: usize, const I: usize, const M: usize, const R: usize, K: Method> Iterator
     for MotionSweep<'_, S, T, X, N, I, M, R, K>
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
     X: Iterator<Item: Time<T>>,
 {

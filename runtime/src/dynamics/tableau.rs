@@ -9,7 +9,7 @@
 
 use core::array;
 
-use crate::number::Float;
+use crate::number::Scalar;
 
 /// Number of stages.
 pub(super) const STAGES: usize = 12;
@@ -31,7 +31,7 @@ macro_rules! sum {
 
 /// Σ a_ij k_j of a stage, from 1 on.
 #[inline(always)]
-pub(super) fn stage<T: Float, const I: usize>(stage: usize, k: &Rates<T, I>) -> [[T; I]; 2] {
+pub(super) fn stage<T: Scalar, const I: usize>(stage: usize, k: &Rates<T, I>) -> [[T; I]; 2] {
     match stage {
         1 => sums!(k: 0 => 0.05260015195876773),
         2 => sums!(k: 0 => 0.0197250569845379, 1 => 0.0591751709536137),
@@ -60,7 +60,7 @@ pub(super) fn stage<T: Float, const I: usize>(stage: usize, k: &Rates<T, I>) -> 
 
 /// c of a stage.
 #[inline(always)]
-pub(super) fn node<T: Float>(stage: usize) -> T {
+pub(super) fn node<T: Scalar>(stage: usize) -> T {
     match stage {
         1 => T::of(0.05260015195876773),
         2 => T::of(0.0789002279381516),
@@ -79,13 +79,13 @@ pub(super) fn node<T: Float>(stage: usize) -> T {
 
 /// Σ b_j k_j
 #[inline(always)]
-pub(super) fn step<T: Float, const I: usize>(k: &Rates<T, I>) -> [[T; I]; 2] {
+pub(super) fn step<T: Scalar, const I: usize>(k: &Rates<T, I>) -> [[T; I]; 2] {
     sums!(k: 0 => 0.054293734116568765, 5 => 4.450312892752409, 6 => 1.8915178993145003, 7 => -5.801203960010585, 8 => 0.3111643669578199, 9 => -0.1521609496625161, 10 => 0.20136540080403034, 11 => 0.04471061572777259)
 }
 
 /// Differences from the steps of order 5 and of order 3.
 #[inline(always)]
-pub(super) fn errors<T: Float, const I: usize>(k: &Rates<T, I>) -> [[[T; I]; 2]; 2] {
+pub(super) fn errors<T: Scalar, const I: usize>(k: &Rates<T, I>) -> [[[T; I]; 2]; 2] {
     let fifth = sums!(k: 0 => 0.01312004499419488, 5 => -1.2251564463762044, 6 => -0.4957589496572502, 7 => 1.6643771824549864, 8 => -0.35032884874997366, 9 => 0.3341791187130175, 10 => 0.08192320648511571, 11 => -0.022355307863886294);
     let third = sums!(k: 0 => -0.18980075407240762, 5 => 4.450312892752409, 6 => 1.8915178993145003, 7 => -5.801203960010585, 8 => -0.4226823213237919, 9 => -0.1521609496625161, 10 => 0.20136540080403034, 11 => 0.02265179219836082);
     [fifth, third]
@@ -96,7 +96,7 @@ pub(super) const DENSE: usize = 16;
 
 /// Σ a_ij k_j of the stages for values between the ends, from 13 on.
 #[inline(always)]
-pub(super) fn dense_stage<T: Float>(stage: usize, k: &[T; DENSE]) -> T {
+pub(super) fn dense_stage<T: Scalar>(stage: usize, k: &[T; DENSE]) -> T {
     match stage {
         13 => {
             sum!(k: 0 => 0.056167502283047954, 6 => 0.25350021021662483, 7 => -0.2462390374708025, 8 => -0.12419142326381637, 9 => 0.15329179827876568, 10 => 0.00820105229563469, 11 => 0.007567897660545699, 12 => -0.008298)
@@ -112,7 +112,7 @@ pub(super) fn dense_stage<T: Float>(stage: usize, k: &[T; DENSE]) -> T {
 
 /// c of the stages for values between the ends.
 #[inline(always)]
-pub(super) fn dense_node<T: Float>(stage: usize) -> T {
+pub(super) fn dense_node<T: Scalar>(stage: usize) -> T {
     match stage {
         13 => T::of(0.1),
         14 => T::of(0.2),
@@ -122,7 +122,7 @@ pub(super) fn dense_node<T: Float>(stage: usize) -> T {
 
 /// Σ d_ij k_j: coefficients of the polynomial between the ends, beyond those of values and rates there.
 #[inline(always)]
-pub(super) fn dense<T: Float>(k: &[T; DENSE]) -> [T; 4] {
+pub(super) fn dense<T: Scalar>(k: &[T; DENSE]) -> [T; 4] {
     [
         sum!(k: 0 => -8.428938276109013, 5 => 0.5667149535193777, 6 => -3.0689499459498917, 7 => 2.38466765651207, 8 => 2.117034582445028, 9 => -0.871391583777973, 10 => 2.2404374302607883, 11 => 0.6315787787694688, 12 => -0.08899033645133331, 13 => 18.148505520854727, 14 => -9.194632392478356, 15 => -4.436036387594894),
         sum!(k: 0 => 10.427508642579134, 5 => 242.28349177525817, 6 => 165.20045171727028, 7 => -374.5467547226902, 8 => -22.113666853125306, 9 => 7.733432668472264, 10 => -30.674084731089398, 11 => -9.332130526430229, 12 => 15.697238121770845, 13 => -31.139403219565178, 14 => -9.35292435884448, 15 => 35.81684148639408),

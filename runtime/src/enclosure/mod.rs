@@ -20,7 +20,7 @@ use nalgebra::SVector;
 
 use crate::names::{self, Coordinate, CoordinateKind, Culprit, Description, Row};
 use crate::newton::{self, StepError};
-use crate::number::{Float, Real};
+use crate::number::{Float, Real, Scalar};
 use crate::solve::{Family, Solver, Stages, lengths_of};
 use crate::state::State;
 
@@ -94,7 +94,7 @@ where
 {
     mechanism.validate().map_err(|parameter| Doubt::ParameterOutOfRange(parameter.name))?;
     let enclosed = E::gather([mechanism], |[parameter]| Enclosure::of(parameter.to_f64()));
-    let (q, lengths, coordinates) = (state.q.map(Float::to_f64), lengths_of(&enclosed), E::COORDINATES);
+    let (q, lengths, coordinates) = (state.q.map(Scalar::to_f64), lengths_of(&enclosed), E::COORDINATES);
     let solver = EnclosureSolver { q, alone, lengths, coordinates, doubt: Cell::new(None), off: Cell::new(None) };
     let coordinate = |index: usize| names::coordinate(E::COORDINATES, index);
     let found = enclosed.stages(Enclosure::time(state.t.to_f64()), &mut Solver::cold(&solver)).map_err(|error| {

@@ -1,6 +1,6 @@
 //! Times of a sweep, by value or by reference.
 
-use super::Float;
+use super::Scalar;
 
 /// A time (s), or a reference to one.
 pub trait Time<T>: Sealed<T> {
@@ -11,17 +11,17 @@ pub trait Time<T>: Sealed<T> {
 /// Keeps [`Time`] to numbers and references to numbers.
 pub trait Sealed<T> {}
 
-impl<T: Float> Sealed<T> for T {}
-impl<T: Float> Sealed<T> for &T {}
+impl<T: Scalar> Sealed<T> for T {}
+impl<T: Scalar> Sealed<T> for &T {}
 
-impl<T: Float> Time<T> for T {
+impl<T: Scalar> Time<T> for T {
     #[inline]
     fn time(self) -> T {
         self
     }
 }
 
-impl<T: Float> Time<T> for &T {
+impl<T: Scalar> Time<T> for &T {
     #[inline]
     fn time(self) -> T {
         *self

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::{Solver, SolverReal};
 use crate::names::Description;
 use crate::newton::StepError;
-use crate::number::Float;
+use crate::number::{Float, Scalar};
 use crate::state::{Coordinates, State};
 
 /// The solution of a mechanism, stage by stage. Emitted code implements it block by block; hand-written mechanisms can call
@@ -111,7 +111,7 @@ const MOST: usize = 256;
 
 /// A hash of all bits of the parameters (Fowler, Noll and Vo, by words); never 0.
 #[doc(hidden)]
-pub fn parameter_hash<T: Float>(parameters: &[T]) -> u64 {
+pub fn parameter_hash<T: Scalar>(parameters: &[T]) -> u64 {
     let hash = parameters.iter().fold(0xcbf2_9ce4_8422_2325_u64, |hash, parameter| {
         let mixed = (hash ^ parameter.bits()).wrapping_mul(0x0000_0100_0000_01b3);
         mixed ^ (mixed >> 29)

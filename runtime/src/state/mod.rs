@@ -4,7 +4,7 @@ use core::ops::{Deref, DerefMut};
 
 use nalgebra::{Matrix3, SVector, Vector2, Vector3};
 
-use crate::number::{DetSign, Float, Real};
+use crate::number::{DetSign, Real, Scalar};
 
 mod coordinates;
 mod extrapolation;
@@ -172,7 +172,7 @@ impl<T: Real, const N: usize> State<T, N> {
     }
 }
 
-impl<T: Float, const N: usize> State<T, N> {
+impl<T: Scalar, const N: usize> State<T, N> {
     /// The predicted q at `t` (s): q + h q̇ + h² q̈ / 2, h = `t` − `self.t`.
     pub(crate) fn predict(&self, t: T) -> SVector<T, N> {
         let h = t - self.t;

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Quaternion, SVector, Unit, UnitQuaternion, Vector2, Vector3};
 
-use crate::number::{Float, Real};
+use crate::number::{Real, Scalar};
 
 /// A quantity with its first and second derivative by time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -117,7 +117,7 @@ impl<T: Real, const D: usize> Motion<SVector<T, D>> {
     }
 }
 
-impl<T: Float> Motion<T> {
+impl<T: Scalar> Motion<T> {
     /// The same angle with as many whole turns as bring it nearest to `other` (rad): for an encoder that begins anew after each turn.
     ///
     /// ```
@@ -261,7 +261,7 @@ impl<T: Real> SpatialBody<T> {
     }
 }
 
-impl<T: Float> SpatialBody<T> {
+impl<T: Scalar> SpatialBody<T> {
     /// The orientation as a unit quaternion whose real part is not negative: Shepperd's method, which divides by the largest component.
     #[must_use]
     pub fn orientation(&self) -> UnitQuaternion<T> {

@@ -20,13 +20,13 @@ impl Emitter<'_> {
         let (methods, hash, allowed) = (self.methods_of_motion(), self.parameter_hash(), allowed());
         quote! {
             #allowed
-            impl<T: ::reuleaux::Float> ::reuleaux::Dynamics<T, #n, #i, #m, #r> for #name<T> {
+            impl<T: ::reuleaux::Scalar> ::reuleaux::Dynamics<T, #n, #i, #m, #r> for #name<T> {
                 #constants
                 #functions
                 fn parameter_hash(&self) -> ::core::primitive::u64 { #hash }
             }
             #allowed
-            impl<T: ::reuleaux::Float> #name<T> { #methods }
+            impl<T: ::reuleaux::Scalar> #name<T> { #methods }
         }
     }
 

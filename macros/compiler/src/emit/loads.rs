@@ -32,7 +32,7 @@ impl Emitter<'_> {
         let page = docs::line(&format!("Loads of [`{name}`]: multipliers, and what every joint and drive does to its bodies."));
         quote! {
             #allowed
-            impl<T: ::reuleaux::Float> #name<T> {
+            impl<T: ::reuleaux::Scalar> #name<T> {
                 #closed
                 #general
                 /// The loads in a state: Φ_uᵀ λ = Q − M u̇, solved for the multipliers λ.
@@ -56,7 +56,7 @@ impl Emitter<'_> {
                 loads: ::reuleaux::Loads<T, #m, #width>,
             }
             #allowed
-            impl<T: ::reuleaux::Float> #loads<T> { #methods }
+            impl<T: ::reuleaux::Scalar> #loads<T> { #methods }
             impl<T> ::core::ops::Deref for #loads<T> {
                 type Target = ::reuleaux::Loads<T, #m, #width>;
                 fn deref(&self) -> &Self::Target { &self.loads }

@@ -43,6 +43,52 @@ impl<T: Float, const P: usize> SolverReal for Gradient<T, P> {
     type Cold<'a, const N: usize> = Differentiation<'a, T, N>;
 }
 
+/// A mechanism whose parameters may carry derivatives. Every mechanism with numeric parameters is one.
+pub trait Differentiable<T: Float>: Family<T> {
+    /// This mechanism over [`Gradient`]s, which carry derivatives by the selected parameters, in this order.
+    ///
+    /// Where a motion follows from forces, everything computed with it has derivatives too: the initial state, accelerations, loads, energies and
+    /// the motion itself, with its outputs. Times are constants, `20.0.into()`. The tolerance of an integrator is that of the values;
+    /// derivatives take the same steps and are mostly a digit or two less accurate.
+    ///
+    /// ```
+    /// use reuleaux::{Differentiable, Integrator, mechanism};
+    /// mechanism! {
+    ///     /// A mass on a spring, released where the spring is long by `drawn`.
+    ///     mechanism Oscillator {
+    ///         param stiffness: Stiffness = 400N_m;
+    ///         param drawn: Length = 20mm;
+    ///         ground { point O = (0mm, 0mm);  axis rail = (1, 0); }
+    ///         body slide { mass = 4kg;  inertia = 0.01kgm2; }
+    ///         joint guide = translational(ground.rail, ground.O, slide.position);
+    ///         force spring = { at slide.position: (-stiffness * slide.position.x, 0N); }
+    ///         freedom stroke = slide.position.x from drawn at 0m_s;
+    ///     }
+    /// }
+    /// let varied = Oscillator::default().with_derivatives(|m| [&mut m.stiffness, &mut m.drawn]);
+    /// let mut state = varied.initial_state()?;
+    /// varied.advance(&mut state, 0.3.into(), &mut Integrator::new(1e-12.into()))?;
+    /// let [by_stiffness, by_drawn] = state.slide().position.x.by;
+    /// // x = a cos ωt, ω = √(k/m) = 10 rad/s, ∂ω/∂k = ω/2k
+    /// assert!((by_stiffness + 0.02 * 0.3 * 10.0 / 800.0 * 3f64.sin()).abs() < 1e-12);
+    /// assert!((by_drawn - 3f64.cos()).abs() < 1e-10);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[inline(always)]
+    fn with_derivatives<const P: usize>(
+        &self,
+        by: impl for<'a> FnOnce(&'a mut Self::Over<Gradient<T, P>>) -> [&'a mut Gradient<T, P>; P],
+    ) -> Self::Over<Gradient<T, P>> {
+        let mut varied = Self::gather([self], |[parameter]| Gradient::constant(parameter));
+        for (parameter, k) in by(&mut varied).into_iter().zip(0..P) {
+            parameter.by[k] = T::of(1.0);
+        }
+        varied
+    }
+}
+
+impl<T: Float, E: Family<T>> Differentiable<T> for E {}
+
 /// The derivatives of all blocks at a state that is given.
 pub struct Differentiation<'a, T: Float, const N: usize> {
     q: &'a SVector<T, N>,
@@ -122,10 +168,7 @@ where
     E: Family<T> + Description<T, N>,
     E::Over<Gradient<T, P>>: Stages<Gradient<T, P>, N>,
 {
-    let mut varied = E::gather([mechanism], |[parameter]| Gradient::constant(parameter));
-    for (parameter, k) in by(&mut varied).into_iter().zip(0..P) {
-        parameter.by[k] = T::of(1.0);
-    }
+    let varied = mechanism.with_derivatives(by);
     // Written where it is returned: moving it takes about as long as finding it.
     let mut found = Ok((varied, still(state)));
     if let Ok((varied, there)) = &mut found

@@ -1,10 +1,15 @@
 //! Numbers with their derivatives, and the operations on them that the solver requires.
 
+use core::cmp::Ordering;
+use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::number::{DetSign, Float, Real, SimdReal, Table, row};
+use crate::number::{DetSign, Float, Real, Scalar, SimdReal, Table, row};
 
 /// A number and its partial derivatives by `P` parameters: the number type of [`derivatives`](crate::Mechanism::derivatives).
+///
+/// Two of them are equal if their derivatives are too; the order is that of the values. Of equal values with other derivatives neither is
+/// the greater.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gradient<T, const P: usize> {
     /// The number.
@@ -156,6 +161,60 @@ impl<T: Float, const P: usize> Real for Gradient<T, P> {
     fn map(self, function: fn(f64) -> (f64, f64, f64)) -> (Self, Self, Self) {
         let (value, first, second) = self.value.map(function);
         self.derived([value, first, second, T::of(f64::NAN)])
+    }
+}
+
+impl<T: Float, const P: usize> PartialOrd for Gradient<T, P> {
+    #[inline(always)]
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        match self.value.partial_cmp(&other.value) {
+            Some(Ordering::Equal) if self.by != other.by => None,
+            order => order,
+        }
+    }
+    #[inline(always)]
+    fn lt(&self, other: &Self) -> bool {
+        self.value < other.value
+    }
+    #[inline(always)]
+    fn gt(&self, other: &Self) -> bool {
+        self.value > other.value
+    }
+}
+
+/// Its value, without derivatives.
+impl<T: fmt::Display, const P: usize> fmt::Display for Gradient<T, P> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.value.fmt(f)
+    }
+}
+
+/// A constant, which depends on no parameter.
+impl<T: Float, const P: usize> From<T> for Gradient<T, P> {
+    fn from(value: T) -> Self {
+        Self::constant(value)
+    }
+}
+
+impl<T: Float, const P: usize> Scalar for Gradient<T, P> {
+    const ZERO: Self = Self { value: T::ZERO, by: [T::ZERO; P] };
+
+    fn to_f64(self) -> f64 {
+        self.value.to_f64()
+    }
+
+    fn bits(self) -> u64 {
+        self.by.iter().fold(self.value.bits(), |bits, by| bits.rotate_left(7) ^ by.bits())
+    }
+
+    #[inline(always)]
+    fn is_finite(self) -> bool {
+        self.value.is_finite()
+    }
+
+    #[inline(always)]
+    fn without_derivatives(self) -> Self {
+        Self::constant(self.value)
     }
 }
 

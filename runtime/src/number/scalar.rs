@@ -1,0 +1,58 @@
+//! Numbers of one lane, with an order.
+
+use super::{DetSign, SimdReal};
+
+/// A [`SimdReal`] of one lane, with an order and a conversion to `f64`: `f64` and `f32`, and numbers that carry derivatives,
+/// [`Gradient`](crate::Gradient)s, of which the values are compared.
+///
+/// Forces are evaluated and motions are integrated over it, so that loads, energies and motions have derivatives by parameters.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no number type of mechanisms",
+    note = "parameters, times and results are `f64`, or `f32` for `Name::<f32>`: write `20.0` for a whole number `20`"
+)]
+pub trait Scalar: SimdReal<Mask = bool, Signs = DetSign> + PartialOrd {
+    /// 0
+    const ZERO: Self;
+
+    /// The nearest `f64`, for messages.
+    fn to_f64(self) -> f64;
+
+    /// Its bit pattern, or a hash of more bits than 64.
+    fn bits(self) -> u64;
+
+    /// Neither infinite nor NaN.
+    fn is_finite(self) -> bool;
+
+    /// The same value, which depends on no parameter. Sizes of steps are such numbers.
+    #[must_use]
+    fn without_derivatives(self) -> Self;
+}
+
+/// A floating-point number depends on nothing.
+macro_rules! scalar {
+    ($scalar:ident) => {
+        impl Scalar for $scalar {
+            const ZERO: Self = 0.0;
+
+            #[inline]
+            fn to_f64(self) -> f64 {
+                self.into()
+            }
+            #[inline]
+            fn bits(self) -> u64 {
+                self.to_bits().into()
+            }
+            #[inline]
+            fn is_finite(self) -> bool {
+                $scalar::is_finite(self)
+            }
+            #[inline(always)]
+            fn without_derivatives(self) -> Self {
+                self
+            }
+        }
+    };
+}
+
+scalar!(f64);
+scalar!(f32);
