@@ -61,7 +61,7 @@
 //! | ν | `nu` | right-hand side of the velocity equation | M | of the row / s |
 //! | γ | `gamma` | right-hand side of the acceleration equation | M | of the row / s² |
 //! | M, N | `M`, `N` | number of equations, number of coordinates | | |
-//! | T | `T` | number type, [`Real`] to evaluate, [`SolverReal`] to follow in time and [`Float`] for everything | | |
+//! | T | `T` | number type, [`Real`] to evaluate, [`SolverReal`] to follow in time, [`Scalar`] for forces and [`Float`] for everything | | |
 //! | L | `characteristic_length` | length that is worth a radian: scaled coordinates are x/L, y/L and φ | 1 | m |
 //!
 //! # Guarantees of every call

@@ -144,9 +144,8 @@ fn loads_of_a_loop_have_the_derivatives_of_differences() {
     let rocker = Rocker::default();
     for t in [0.01, 0.13, 0.31] {
         let state = rocker.solve(t).expect("a state");
-        let (varied, there) = rocker
-            .derivatives(&state, |m| [&mut m.crank_length, &mut m.coupler_length, &mut m.heavy, &mut m.speed])
-            .expect("derivatives");
+        let (varied, there) =
+            rocker.derivatives(&state, |m| [&mut m.crank_length, &mut m.coupler_length, &mut m.heavy, &mut m.speed]).expect("derivatives");
         let there = RockerState(there);
         let loads = varied.loads(&there);
         assert_eq!(loads.motor(), varied.load_of_motor(&there));
@@ -236,10 +235,8 @@ fn a_top_has_the_derivatives_of_differences() {
     };
     let found = varied.end(&state).value;
     for axis in 0..3 {
-        let wanted = [
-            difference(1e-3, |h| end(Top { high: 0.3 + h, ..top })[axis]),
-            difference(1e-2, |h| end(Top { spin: 90.0 + h, ..top })[axis]),
-        ];
+        let wanted =
+            [difference(1e-3, |h| end(Top { high: 0.3 + h, ..top })[axis]), difference(1e-2, |h| end(Top { spin: 90.0 + h, ..top })[axis])];
         for (found, wanted) in found[axis].by.into_iter().zip(wanted) {
             assert!((found - wanted).abs() < 1e-8, "{axis}: {found} {wanted}");
         }

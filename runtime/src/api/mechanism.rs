@@ -157,7 +157,7 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     }
 
     /// A state with its derivatives by parameters: the mechanism and the state over [`Gradient`]s, so that outputs with
-    /// their rates and accelerations, and motions of points and bodies, have exact derivatives too. Loads have none.
+    /// their rates and accelerations, motions of points and bodies, loads and energies have exact derivatives too.
     ///
     /// * `state`: given, a state of this mechanism.
     /// * `by`: given, selects the parameters; derivatives are in this order.
