@@ -10,8 +10,9 @@ use std::process::Command;
 use std::{env, fs};
 
 /// Features of the crate, and what a program with them does.
-const PROGRAMS: [(&str, &str); 3] = [
-    ("stepping", "`advance` alone, from a state that the program brings along"),
+const PROGRAMS: [(&str, &str); 4] = [
+    ("once", "`advance_once` alone, from a state that the program brings along"),
+    ("stepping", "`advance` alone, from such a state"),
     ("starting", "`solve` once, then `advance`"),
     ("solving", "`solve`, `solve_from`, `sweep`, `advance`, all outputs"),
 ];

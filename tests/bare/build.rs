@@ -44,7 +44,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Ok(fs::write(Path::new(&env::var("OUT_DIR")?).join("mechanisms.rs"), "")?);
     }
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let alone: [(&str, Use); 3] = [("CARGO_FEATURE_STEPPING", step), ("CARGO_FEATURE_STARTING", start), ("CARGO_FEATURE_SOLVING", solve)];
+    let alone: [(&str, Use); 4] = [
+        ("CARGO_FEATURE_ONCE", once),
+        ("CARGO_FEATURE_STEPPING", step),
+        ("CARGO_FEATURE_STARTING", start),
+        ("CARGO_FEATURE_SOLVING", solve),
+    ];
     if let Some((_, used)) = alone.into_iter().find(|(feature, _)| env::var_os(feature).is_some()) {
         let text = fs::read_to_string(folder.join(FILES[0].0))?;
         let module = module(0, &text, used).ok_or("no four-bar")?;
@@ -90,6 +95,13 @@ fn module(number: usize, text: &str, used: Use) -> Option<String> {
             static RUN: fn(&{name}<T>, T, &mut {name}State<T>) -> bool = run;
         }}"
     ))
+}
+
+/// Code that makes one step.
+fn once(name: &str, _: &str) -> String {
+    format!(
+        "fn run(mechanism: &{name}<T>, t: T, state: &mut {name}State<T>) -> bool {{ reuleaux::Mechanism::advance_once(mechanism, &mut state.0, t) }}"
+    )
 }
 
 /// Code that steps.
