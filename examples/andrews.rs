@@ -8,11 +8,13 @@
 
 use std::error::Error;
 
+use reuleaux::picture::Drawable;
 use reuleaux::{Integrator, PlanarBody, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, on, place, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, on, place, show, steps};
 
 mechanism! {
     /// Andrews' squeezing mechanism, with each body's frame at its centre of mass.
+    #[picture]
     pub mechanism Andrews {
         param torque: Torque = 0.033Nm;
         ground {
@@ -68,6 +70,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert!(errors.iter().all(|(tolerance, off)| *off < 10.0 * tolerance.max(1e-9)), "{errors:?}");
     let motion = motion(&mechanism)?;
     println!("{}", picture(&mechanism, &motion).save("andrews")?.display());
+    let view = mechanism
+        .view(motion)
+        .trace("path of E", |state| state.ef().point(place(-0.0165, 0.0)).value)
+        .trace("path of H", |state| state.he().point(place(-0.00579, 0.0)).value)
+        .plot("γ", "°", |state| state.bde().angle.to_degrees())
+        .and("δ", |state| state.ag().angle.to_degrees())
+        .and("ε", |state| state.ah().angle.to_degrees())
+        .plot("bearing of the crank", "N", |state| mechanism.loads(state).o().force.norm());
+    show("andrews", &view)?;
     Ok(())
 }
 

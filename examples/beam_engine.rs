@@ -19,8 +19,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use reuleaux::mechanism;
-use reuleaux::picture::{Drawable, Scene, animation, frames};
-use reuleaux_examples::{apex, largest_difference, place, polar, steps};
+use reuleaux::picture::{Drawable, Scene, frames};
+use reuleaux_examples::{apex, largest_difference, place, polar, show, steps};
 
 mechanism! {
     /// A beam engine with Watt's parallel motion.
@@ -63,16 +63,20 @@ const FRAMES: u32 = 30;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let engine = BeamEngine::default();
-    // The last state of the turn is the first of the next one.
-    let turn: Vec<State> = engine.sweep(steps(0.0, 2.0, FRAMES)).take(FRAMES as usize).collect::<Result<_, _>>()?;
+    let turn: Vec<State> = engine.sweep(steps(0.0, 2.0, FRAMES)).collect::<Result<_, _>>()?;
     assert_triangles(&engine, &turn);
     print(&engine, &turn);
 
     let scenes: Vec<Scene> = turn.iter().map(|state| engine.scene(state)).collect();
-    println!("{}", write("beam_engine", &animation(&scenes, 2.0)?)?.display());
-    for (number, frame) in frames(&scenes)?.iter().step_by(10).enumerate() {
+    for (number, frame) in frames(&scenes)?.iter().step_by(10).take(3).enumerate() {
         println!("{}", write(&format!("beam_engine_{number}"), &frame.page())?.display());
     }
+    let view = engine
+        .view(turn)
+        .trace("path of P", |state| engine.P(state).value)
+        .plot("beam", "°", |state| state.beam().angle.to_degrees())
+        .plot("P across its line", "mm", |state| engine.P(state).value.x * 1e3);
+    show("beam_engine", &view)?;
     Ok(())
 }
 

@@ -24,11 +24,13 @@ use std::error::Error;
 use std::f64::consts::TAU;
 
 use reuleaux::nalgebra::Vector3;
+use reuleaux::picture::Drawable;
 use reuleaux::{Cause, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, seen, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, seen, show, steps};
 
 mechanism! {
     /// Bennett's linkage with a hinge driven at constant speed.
+    #[picture]
     pub mechanism Bennett in space {
         param length: Length = 100mm;
         param twist: Angle = 40deg;
@@ -92,6 +94,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert!(matches!(Bennett { excess: 1e-3, ..mechanism }.solve(0.0).map_err(|failure| failure.cause), Err(Cause::DoesNotHold { .. })));
     print(&mechanism, &turn);
     println!("{}", picture(&mechanism, &turn).save("bennett")?.display());
+    let view = mechanism
+        .view(turn)
+        .trace("path of B", |state| mechanism.B(state).value)
+        .trace("path of C", |state| mechanism.C(state).value)
+        .plot("its speed over the drive's", "", |state| mechanism.next(state).rate / mechanism.speed)
+        .and("Bennett's relation", |state| next(&mechanism, mechanism.driven(state).value)[1]);
+    show("bennett", &view)?;
     Ok(())
 }
 

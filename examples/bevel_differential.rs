@@ -19,14 +19,16 @@
 //! Source: the law of gearing; module 4 mm.
 
 use std::error::Error;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use reuleaux::nalgebra::Vector3;
+use reuleaux::picture::Drawable;
 use reuleaux::{SpatialBody, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, bevel, largest_difference, seen, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, bevel, largest_difference, seen, show, steps};
 
 mechanism! {
     /// A differential with constant cage speed, while the car drives into a bend, through it, and out.
+    #[picture]
     pub mechanism Differential in space {
         param speed: AngularVelocity = 300rpm;
         param track: Length = 1.5m;
@@ -70,6 +72,17 @@ fn main() -> Result<(), Box<dyn Error>> {
     bend.iter().for_each(assert_meshes);
     print(&mechanism, &bend);
     println!("{}", picture(&mechanism, &bend).save("bevel_differential")?.display());
+    // One turn of the cage, slow enough to be seen.
+    let slow = Differential { speed: PI, bend: 0.4, ..mechanism };
+    let bend: Vec<State> = slow.sweep(steps(0.0, 2.0, 120)).collect::<Result<_, _>>()?;
+    let view = slow
+        .view(bend)
+        .plot("cage", "rpm", |state| slow.cage(state).rate * 60.0 / TAU)
+        .and("left", |state| slow.left(state).rate * 60.0 / TAU)
+        .and("right", |state| slow.right(state).rate * 60.0 / TAU)
+        .plot("planet on its pin", "°", |state| slow.planet(state).value.to_degrees())
+        .and("closed form", |state| 0.8 * parted(&slow, state.t)[0].to_degrees());
+    show("bevel_differential", &view)?;
     Ok(())
 }
 

@@ -31,11 +31,13 @@ use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use reuleaux::nalgebra::{Rotation3, Vector3};
+use reuleaux::picture::Drawable;
 use reuleaux::{Integrator, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, largest_difference, seen, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, largest_difference, seen, show, steps};
 
 mechanism! {
     /// Five rods of 1 m and 1 kg with square sections.
+    #[picture]
     pub mechanism Bricard in space {
         gravity = (0m_s2, -9.81m_s2, 0m_s2);
         let length = 1m;
@@ -156,6 +158,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         assert!((time - f64::from(k) * half).abs() < 1e-10);
     }
     println!("{}", picture(&m, &film, half).save("bricard")?.display());
+    let fall = film.into_iter().take_while(|state| state.t < 2.0 * half);
+    let view = m
+        .view(fall)
+        .trace("path of the third hinge", |state| state.third().position)
+        .plot("a", "°", |state| m.a(state).value.to_degrees())
+        .and("b", |state| m.b(state).value.to_degrees())
+        .and("b by the relation", |state| pose(m.a(state).value).b.to_degrees())
+        .plot("speed of a", "rad/s", |state| m.a(state).rate);
+    show("bricard", &view)?;
     Ok(())
 }
 

@@ -23,9 +23,10 @@
 use std::error::Error;
 use std::f64::consts::{PI, TAU};
 
+use reuleaux::picture::Drawable;
 use reuleaux::{Motion, mechanism};
 use reuleaux_cam::{CamError, CurvePoint};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, place, polar, rectangle, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, place, polar, rectangle, show, steps};
 
 /// Radii of the roller and of the cutter (m).
 const ROLLER: f64 = 0.012;
@@ -33,6 +34,7 @@ const CUTTER: f64 = 0.010;
 
 mechanism! {
     /// The slide of a packing machine.
+    #[picture]
     pub mechanism SlideCam {
         param speed: AngularVelocity = 120rpm;
         /// Radius of the pitch curve at the lowest lift.
@@ -79,6 +81,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     print_limits(&offset, &central)?;
     print_cutter(&offset)?;
     println!("{}", picture(&offset, &central)?.save("cam_design")?.display());
+    let view = offset
+        .view(turn(&offset)?.into_iter().step_by(4))
+        .plot("lift", "mm", |state| (offset.travel(state).value - (offset.prime.powi(2) - offset.offset.powi(2)).sqrt()) * 1e3)
+        .and("formula", |state| lift(&offset, state.cam().angle)[0] * 1e3)
+        .plot("pressure angle", "°", |state| pressure_angle(&offset, state).map_or(f64::NAN, f64::to_degrees))
+        .and("formula", |state| pressure_formula(&offset, state.cam().angle).to_degrees());
+    show("cam_design", &view)?;
     Ok(())
 }
 

@@ -17,11 +17,13 @@
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
+use reuleaux::picture::Drawable;
 use reuleaux::{Motion, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, largest_difference, place, polar, rectangle, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, largest_difference, place, polar, rectangle, show, steps};
 
 mechanism! {
     /// A valve gear, slow enough to watch.
+    #[picture]
     pub mechanism RollerCam {
         param speed: AngularVelocity = 60rpm;
         param base: Length = 30mm;
@@ -63,6 +65,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_peaks(&mechanism)?;
     print(&mechanism, &turn);
     println!("{}", picture(&mechanism, &turn).save("cam_roller")?.display());
+    let view = mechanism
+        .view(turn)
+        .plot("lift", "mm", |state| (mechanism.travel(state).value - mechanism.base - mechanism.roller) * 1e3)
+        .and("closed form", |state| lift(&mechanism, state.cam().angle) * 1e3)
+        .plot("velocity", "m/s", |state| mechanism.travel(state).rate)
+        .plot("acceleration", "m/s²", |state| mechanism.travel(state).acceleration);
+    show("cam_roller", &view)?;
     Ok(())
 }
 

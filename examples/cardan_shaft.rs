@@ -25,10 +25,12 @@ use std::f64::consts::FRAC_PI_2;
 
 use reuleaux::mechanism;
 use reuleaux::nalgebra::Vector3;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, ring, seen, steps};
+use reuleaux::picture::Drawable;
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, ring, seen, show, steps};
 
 mechanism! {
     /// Two parallel shafts and one between them.
+    #[picture]
     pub mechanism CardanShaft in space {
         /// Angle between the middle shaft and the others.
         param bend: Angle = 30deg;
@@ -92,6 +94,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_cure(&good, &turns[0]);
     print(&good, &bad, &turns);
     println!("{}", picture(&good, &bad, &turns).save("cardan_shaft")?.display());
+    let [cured, _] = turns;
+    let view = good
+        .view(cured)
+        .plot("middle shaft ahead", "°", |state| (good.between(state).value - good.driven(state).value).to_degrees())
+        .and("closed form", |state| (exact(&good, good.driven(state).value)[0][0] - good.driven(state).value).to_degrees())
+        .and("output ahead", |state| (good.delivered(state).value - good.driven(state).value).to_degrees());
+    show("cardan_shaft", &view)?;
     Ok(())
 }
 

@@ -21,7 +21,7 @@ use std::path::Path;
 
 use reuleaux::picture::{Drawable, frames};
 use reuleaux::{csv, mechanism};
-use reuleaux_examples::steps;
+use reuleaux_examples::{show, steps};
 
 mechanism! {
     /// A pump with a plunger on a guide.
@@ -79,6 +79,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let frames = frames(&[pump.scene(&state)])?;
     fs::write(&picture, frames.first().ok_or("there is no frame")?.page())?;
     println!("{}", picture.display());
+
+    let states = pump.sweep(steps(0.0, 1.0, 120)).collect::<Result<Vec<_>, _>>()?;
+    let view = pump.view(states).plot("stroke", "mm", |state| pump.stroke(state).value * 1e3);
+    show("configured", &view)?;
     Ok(())
 }
 

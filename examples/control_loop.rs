@@ -19,11 +19,13 @@
 use std::error::Error;
 use std::f64::consts::TAU;
 
+use reuleaux::picture::Drawable;
 use reuleaux::{Motion, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, carried, place, polar};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, carried, place, polar, show};
 
 mechanism! {
     /// A crank-rocker with an encoder on its crank.
+    #[picture]
     pub mechanism Measured {
         input theta: Angle = 40deg;
         ground { point O = (0mm, 0mm);  point C = (400mm, 0mm); }
@@ -100,7 +102,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut plant = Plant { angle: 0.7, rate: 4.0 };
     let mut observer = Observer { theta: Motion::moving(plant.encoder(), 4.0) };
     let mut state = mechanism.solve(0.0, MeasuredInputs { theta: observer.theta })?;
-    let (mut asked, mut cycles) = (0.0, Vec::new());
+    let (mut asked, mut cycles, mut states) = (0.0, Vec::new(), Vec::new());
     for cycle in 1..=3000 {
         let time = CYCLE * f64::from(cycle);
         plant.turn(INERTIA * asked);
@@ -119,10 +121,19 @@ fn main() -> Result<(), Box<dyn Error>> {
         assert!((tip.value - true_tip[0]).norm() < 1e-4, "the tip is elsewhere, at {time} s");
         let true_speed = true_tip[1].norm() * plant.rate;
         assert!(time < 0.5 || (true_speed / WANTED - 1.0).abs() < 0.02, "the tip moves at {true_speed} m/s at {time} s");
+        if cycle % 25 == 0 {
+            states.push(state.clone());
+        }
         cycles.push(Cycle { time, crank: plant.rate, speed: [speed, true_speed], tip: tip.value });
     }
     print(&cycles);
     println!("{}", picture(&state, &cycles).save("control_loop")?.display());
+    let view = mechanism
+        .view(states)
+        .trace("path of the tip", |state| mechanism.tip(state).value)
+        .plot("speed of the tip", "m/s", |state| mechanism.tip(state).rate.norm())
+        .plot("speed of the crank", "rad/s", |state| state.crank().angular_velocity);
+    show("control_loop", &view)?;
     Ok(())
 }
 

@@ -21,11 +21,13 @@
 use std::error::Error;
 use std::f64::consts::TAU;
 
+use reuleaux::picture::Drawable;
 use reuleaux::{Cause, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, place, polar, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, place, polar, show, steps};
 
 mechanism! {
     /// A locomotive on three coupled axles.
+    #[picture]
     pub mechanism CoupledWheels {
         param speed: Velocity = 5m_s;
         param throw: Length = 300mm;
@@ -67,6 +69,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("{:7.1}   {:.3}", wear * 1e3, misses.last().map_or(f64::NAN, |(_, off)| off * 1e3));
     }
     println!("\n{}", picture(&mechanism, &states, &worn).save("coupled_wheels")?.display());
+    let view = mechanism
+        .view(states)
+        .trace("path of the rod", |state| mechanism.rod(state).value)
+        .plot("speed of the rod", "m/s", |state| mechanism.rod(state).rate.norm())
+        .and("trochoid", |state| speed(&mechanism, state));
+    show("coupled_wheels", &view)?;
     Ok(())
 }
 

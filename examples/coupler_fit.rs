@@ -11,11 +11,13 @@ use std::time::Instant;
 use argmin::core::{CostFunction, Executor, Gradient as Slope, State as _};
 use argmin::solver::linesearch::MoreThuenteLineSearch;
 use argmin::solver::quasinewton::LBFGS;
+use reuleaux::picture::Drawable;
 use reuleaux::{Mechanism, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, carried, largest_difference, place, polar, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, carried, largest_difference, place, polar, show, steps};
 
 mechanism! {
     /// A crank-rocker of any lengths, with a tip that traces a curve.
+    #[picture]
     pub mechanism Curve {
         param ground_length: Length = 400mm;
         param crank_length: Length = 100mm;
@@ -166,6 +168,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let [first, last] = [curve([0.4, 0.1, 0.35, 0.3, 0.175, 0.08])?, curve(found)?];
     draw(&first, &last)?;
+    let fitted = with(found);
+    let states = fitted.sweep(steps(0.0, 1.0, 120)).collect::<Result<Vec<_>, _>>()?;
+    let view = fitted
+        .view(states)
+        .trace("curve of the tip", |state| fitted.tip(state).value)
+        .plot("height of the tip", "mm", |state| fitted.tip(state).value.y * 1e3);
+    show("coupler_fit", &view)?;
     Ok(())
 }
 

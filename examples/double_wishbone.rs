@@ -19,10 +19,12 @@ use std::error::Error;
 
 use reuleaux::mechanism;
 use reuleaux::nalgebra::{Matrix3, Rotation3, Unit, Vector3};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, ring, seen, steps};
+use reuleaux::picture::Drawable;
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, ring, seen, show, steps};
 
 mechanism! {
     /// The left front wheel of a car, moved up and down by a test rig.
+    #[picture]
     pub mechanism Wishbones in space {
         /// Amplitude of the wheel's vertical motion.
         param travel: Length = 80mm;
@@ -101,6 +103,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     print(&mechanism, &travel);
     println!("{}", picture(&mechanism, &travel).save("double_wishbone")?.display());
+    let whole: Vec<State> = mechanism.sweep(steps(0.0, 4.0 * quarter, 80)).collect::<Result<_, _>>()?;
+    let view = mechanism
+        .view(whole)
+        .trace("path of W", |state| mechanism.W(state).value)
+        .plot("camber", "°", |state| mechanism.camber(state).value.to_degrees())
+        .and("closed form", |state| angles(&exact(&mechanism, mechanism.lower_angle(state).value)[4])[0].to_degrees())
+        .plot("toe-in", "°", |state| mechanism.toe(state).value.to_degrees());
+    show("double_wishbone", &view)?;
     Ok(())
 }
 

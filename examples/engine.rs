@@ -24,8 +24,9 @@ use std::error::Error;
 use std::f64::consts::{PI, TAU};
 
 use reuleaux::nalgebra::Vector2;
+use reuleaux::picture::Drawable;
 use reuleaux::{Integrator, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, gauss, largest_difference, place, polar, rectangle};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, gauss, largest_difference, place, polar, rectangle, show, steps};
 
 /// The engine with its cause of motion: a drive, or a freedom and a load.
 macro_rules! engine {
@@ -68,6 +69,7 @@ macro_rules! engine {
 
 engine! {
     /// An engine at constant speed.
+    #[picture]
     Driven, drive motor = drive_angle(crank, speed * t);
 }
 engine! {
@@ -162,6 +164,16 @@ fn main() -> Result<(), Box<dyn Error>> {
         assert!(heavy < 0.6 * light && heavy < 0.1, "{light} and {heavy} from the formula");
     }
     println!("{}", picture(&cycle, load, &runs)?.save("engine")?.display());
+    let m = Driven::default();
+    let states = m.sweep(steps(0.0, 2.0 * TAU / m.speed, 240)).collect::<Result<Vec<DrivenState<f64>>, _>>()?;
+    let view = m
+        .view(states)
+        .plot("gas", "bar", |state| m.pressure(state).value / 1e5)
+        .plot("torque", "N m", |state| -m.loads(state).motor().effort)
+        .and("virtual work", |state| -exact(m.flywheel, m.pressure(state).value, state.crank().angle, [m.speed, 0.0]).torque)
+        .plot("small end", "N", |state| m.loads(state).small_end().force.norm())
+        .and("big end", |state| m.loads(state).big_end().force.norm());
+    show("engine", &view)?;
     Ok(())
 }
 

@@ -18,10 +18,12 @@
 use std::error::Error;
 
 use reuleaux::mechanism;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, steps};
+use reuleaux::picture::Drawable;
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, show, steps};
 
 mechanism! {
     /// A Grashof crank-rocker.
+    #[picture]
     pub mechanism CrankRocker {
         param crank_length: Length = 40mm;
         param coupler_length: Length = 120mm;
@@ -68,6 +70,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_norton()?;
     print(&mechanism, &turn);
     println!("{}", picture(&mechanism, &turn).save("four_bar")?.display());
+    let view = mechanism
+        .view(turn)
+        .trace("path of P", |state| mechanism.P(state).value)
+        .plot("rocker", "°", |state| state.rocker().angle.to_degrees())
+        .and("Freudenstein's equation", |state| freudenstein(&mechanism, state.crank().angle).to_degrees())
+        .plot("velocity", "rad/s", |state| state.rocker().angular_velocity);
+    show("four_bar", &view)?;
     Ok(())
 }
 

@@ -26,10 +26,13 @@ use std::error::Error;
 
 use reuleaux::mechanism;
 use reuleaux::nalgebra::Vector2;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, largest_difference, place, polar, steps};
+use reuleaux::picture::Drawable;
+use reuleaux::view::View;
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, largest_difference, place, polar, show, steps};
 
 mechanism! {
     /// A crank-rocker with masses, and a weight on its crank.
+    #[picture]
     pub mechanism Balanced {
         param speed: AngularVelocity = 300rpm;
         param weight: Mass = 0kg;
@@ -84,6 +87,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_rule(&plain, &before, &after);
     print(&before, &after);
     println!("{}", picture(&before, &after).save("four_bar_balance")?.display());
+    let view = View::new("Counterweight of a four-bar", &after, |at| at.state.t, |at| balanced.scene(&at.state))
+        .trace("path of B", |at| at.state.rocker().point(place(LINKS[2][2], 0.0)).value)
+        .plot("shaking", "N", |at| at.shaking.norm())
+        .and("rate of the momentum", |at| at.exact.force.norm())
+        .plot("torque", "N m", |at| at.torque)
+        .and("power balance", |at| at.exact.power / balanced.speed);
+    show("four_bar_balance", &view)?;
     Ok(())
 }
 

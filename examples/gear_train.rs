@@ -15,10 +15,12 @@ use std::error::Error;
 use std::f64::consts::{PI, TAU};
 
 use reuleaux::mechanism;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, gear, largest_difference, meshing, polar, steps};
+use reuleaux::picture::Drawable;
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, gear, largest_difference, meshing, polar, show, steps};
 
 mechanism! {
     /// A positioning drive.
+    #[picture]
     pub mechanism Positioner {
         param turns: Angle = 9turn;
         param duration: Time = 3s;
@@ -57,6 +59,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_rolling(&motion);
     print(&motion);
     println!("{}", picture(&mechanism, &motion).save("gear_train")?.display());
+    // One turn of the motor, slow enough to be seen.
+    let slow = Positioner { turns: TAU, ..mechanism };
+    let motion: Vec<State> = slow.sweep(steps(0.0, 3.0, 120)).collect::<Result<_, _>>()?;
+    let view = slow
+        .view(motion)
+        .trace("path of P", |state| slow.P(state).value)
+        .plot("turret", "°", |state| state.turret().angle.to_degrees())
+        .and("a ninth of the motor", |state| state.motor().angle.to_degrees() / 9.0)
+        .plot("motor", "rpm", |state| state.motor().angular_velocity * 60.0 / TAU)
+        .and("middle shaft", |state| state.middle().angular_velocity * 60.0 / TAU)
+        .and("turret", |state| state.turret().angular_velocity * 60.0 / TAU);
+    show("gear_train", &view)?;
     Ok(())
 }
 

@@ -25,8 +25,9 @@ use std::error::Error;
 use std::f64::consts::TAU;
 
 use reuleaux::nalgebra::Vector2;
+use reuleaux::picture::Drawable;
 use reuleaux::{Integrator, constraint, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, gauss, gear, meshing, polar, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, gauss, gear, meshing, polar, show, steps};
 
 constraint! {
     /// Two involute gears with base radii `a` and `b` about `A` and `B`; `side` is 1 if that of `A` drives to the left, −1 if to the
@@ -47,6 +48,7 @@ constraint! {
 
 mechanism! {
     /// A hoist that is switched on.
+    #[picture]
     pub mechanism Hoist {
         use crate::involute_mesh;
 
@@ -104,6 +106,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     print(&m, &start);
     println!("{}", picture(&m, &start).save("geared_start")?.display());
+    // The first turns of the motor.
+    let begin: Vec<State> = m.sweep(steps(0.0, 0.25, 120), Integrator::new(1e-11)).collect::<Result<_, _>>()?;
+    let view = m
+        .view(begin)
+        .plot("motor", "rpm", |state| state.motor().angular_velocity * 60.0 / TAU)
+        .and("closed form", |state| exact(&m, state.t).motor[1] * 60.0 / TAU)
+        .plot("teeth 20 : 60", "N", |state| m.loads(state).first().force.norm())
+        .and("teeth 18 : 54", |state| m.loads(state).second().force.norm());
+    show("geared_start", &view)?;
     Ok(())
 }
 

@@ -28,13 +28,15 @@ use std::error::Error;
 use std::f64::consts::{PI, TAU};
 
 use reuleaux::mechanism;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, largest_difference, on, place, polar, steps};
+use reuleaux::picture::Drawable;
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, largest_difference, on, place, polar, show, steps};
 
 /// Number of slots.
 const SLOTS: f64 = 4.0;
 
 mechanism! {
     /// An indexing table.
+    #[picture]
     pub mechanism Geneva {
         param speed: AngularVelocity = 60rpm;
         param distance: Length = 100mm;
@@ -75,6 +77,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let turn: Vec<State> = mechanism.sweep(steps(0.0, 1.0, 720)).collect::<Result<_, _>>()?;
     print(&mechanism, &turn);
     println!("{}", picture(&mechanism, &turn).save("geneva")?.display());
+    let view = mechanism
+        .view(turn.into_iter().step_by(3))
+        .plot("wheel", "°", |state| mechanism.angle(state).value.to_degrees())
+        .and("formula", |state| formula(state.crank().angle)[0].to_degrees())
+        .plot("velocity", "rad/s", |state| mechanism.angle(state).rate)
+        .plot("acceleration", "rad/s²", |state| mechanism.angle(state).acceleration);
+    show("geneva", &view)?;
     Ok(())
 }
 

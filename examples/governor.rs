@@ -16,11 +16,13 @@
 use std::error::Error;
 
 use reuleaux::nalgebra::Vector3;
+use reuleaux::picture::Drawable;
 use reuleaux::{Integrator, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, seen, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, seen, show, steps};
 
 mechanism! {
     /// A governor with two balls and a loaded sleeve.
+    #[picture]
     pub mechanism Governor in space {
         param speed: AngularVelocity = 120rpm;
         param arm: Length = 200mm;
@@ -81,6 +83,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let opposite = ends.iter().map(|(_, _, _, state)| (state.left().angular_velocity - state.right().angular_velocity).norm());
     assert!(largest_difference(opposite.map(|difference| (difference, 0.0))) < 1e-6);
     println!("{}", picture(&ends)?.save("governor")?.display());
+    let governor = at(120.0);
+    let states: Vec<State> = governor.sweep(steps(0.0, 2.0, 240), Integrator::new(1e-9)).collect::<Result<_, _>>()?;
+    let view = governor
+        .view(states)
+        .plot("height", "mm", |state| -500.0 * state.sleeve().position.z)
+        .and("(1 + M/m) g/ω²", |_| height(&governor) * 1e3);
+    show("governor", &view)?;
     Ok(())
 }
 

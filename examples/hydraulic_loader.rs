@@ -16,10 +16,14 @@
 use std::error::Error;
 
 use reuleaux::mechanism;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, carried, largest_difference, on, place, rectangle, steps};
+use reuleaux::picture::Drawable;
+use reuleaux_examples::{
+    Abscissa, Diagram, Ink, Place, Plate, Scene, apex, carried, largest_difference, on, place, rectangle, show, steps,
+};
 
 mechanism! {
     /// A loader with two cylinders and two freedoms.
+    #[picture]
     pub mechanism Loader {
         /// Length of the lift cylinder with the bucket on the ground.
         param lift: Length = 0.95m;
@@ -84,6 +88,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_reference()?;
     print(&mechanism, &cycle);
     println!("{}", picture(&mechanism, &cycle).save("hydraulic_loader")?.display());
+    let view = mechanism
+        .view(cycle)
+        .trace("path of the edge", |state| mechanism.edge(state).value)
+        .plot("lift", "m", |state| mechanism.lift_cylinder(state).value)
+        .and("tilt", |state| mechanism.tilt_cylinder(state).value)
+        .plot("boom", "°", |state| state.boom().angle.to_degrees())
+        .and("bucket", |state| state.bucket().angle.to_degrees());
+    show("hydraulic_loader", &view)?;
     Ok(())
 }
 

@@ -19,10 +19,12 @@
 use std::error::Error;
 
 use reuleaux::mechanism;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, largest_difference, place, polar, steps};
+use reuleaux::picture::Drawable;
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, largest_difference, place, polar, show, steps};
 
 mechanism! {
     /// One leg, walking to the left.
+    #[picture]
     pub mechanism Leg {
         param speed: AngularVelocity = -60rpm;
         param a: Length = 38mm;
@@ -88,6 +90,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     print_step(&leg, &turn);
     print(&leg, &turn);
     println!("{}", picture(&leg, &turn).save("jansen_leg")?.display());
+    let view = leg
+        .view(turn)
+        .trace("path of the foot", |state| leg.foot(state).value)
+        .plot("height of the foot", "mm", |state| leg.foot(state).value.y * 1e3)
+        .and("triangles", |state| foot(&leg, state.crank().angle).y * 1e3)
+        .plot("velocity to the right", "m/s", |state| leg.foot(state).rate.x);
+    show("jansen_leg", &view)?;
     Ok(())
 }
 

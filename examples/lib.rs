@@ -3,9 +3,13 @@
 //! A [`Plate`] is one picture: a [`Scene`], the mechanism at a few phases with equal scales, and below it [`Diagram`]s with a common
 //! abscissa. Each example draws its own mechanism with the few shapes of a textbook: links, pins, pivots, walls.
 
+use std::error::Error;
 use std::f64::consts::TAU;
+use std::path::Path;
+use std::{env, fs};
 
 use reuleaux::nalgebra::Vector3;
+use reuleaux::view::View;
 use reuleaux::{PlanarBody, SpatialBody};
 
 mod drawing;
@@ -16,6 +20,21 @@ pub use drawing::{Abscissa, Diagram, Ink, Place, Plate, Scene, gear, meshing, pl
 const SIDE: f64 = 0.6;
 /// Angle of view above the horizon (rad).
 const HEIGHT: f64 = 0.42;
+/// Size of a moving picture in the gallery, in bytes.
+const SIZE: usize = 40_000;
+
+/// Writes a moving picture: the page with its plots beside the running program, and the drawing alone as `gallery/moving/<name>.svg`.
+///
+/// # Errors
+/// The reason why the states cannot be shown or a file cannot be written.
+pub fn show<S>(name: &str, view: &View<S>) -> Result<(), Box<dyn Error>> {
+    let page = env::current_exe()?.with_file_name(name).with_extension("html");
+    view.write(&page)?;
+    let drawing = Path::new(env!("CARGO_MANIFEST_DIR")).join("gallery/moving").join(name).with_extension("svg");
+    fs::write(&drawing, view.animated_svg_within(SIZE)?)?;
+    println!("{}\n{}", drawing.display(), page.display());
+    Ok(())
+}
 
 /// `count` + 1 numbers from `first` to `last` (both included) at equal steps.
 pub fn steps(first: f64, last: f64, count: u32) -> impl Iterator<Item = f64> + Clone {

@@ -24,11 +24,13 @@ use std::error::Error;
 use std::f64::consts::TAU;
 
 use reuleaux::nalgebra::{Matrix2, Vector2, Vector3};
+use reuleaux::picture::Drawable;
 use reuleaux::{Integrator, SpatialBody, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, bevel, gauss, ring, seen, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, bevel, gauss, ring, seen, show, steps};
 
 mechanism! {
     /// A differential between two wheels with resistance proportional to speed.
+    #[picture]
     pub mechanism Loaded in space {
         param torque: Torque = 120Nm;
         param left_drag: Torque / AngularVelocity = 1.2Nm / 1rad_s;
@@ -76,6 +78,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert!((rest - Vector2::new(m.torque / (2.0 * m.left_drag), m.torque / (2.0 * m.right_drag))).norm() < 1e-10);
     print(&m, &start);
     println!("{}", picture(&m, &start).save("loaded_differential")?.display());
+    // The first turn of the cage.
+    let begin: Vec<State> = m.sweep(steps(0.0, 0.5, 120), Integrator::new(1e-11)).collect::<Result<_, _>>()?;
+    let view = m
+        .view(begin)
+        .plot("left, on asphalt", "rpm", |state| found(state)[0][0] * 60.0 / TAU)
+        .and("right, on ice", |state| found(state)[0][1] * 60.0 / TAU)
+        .and("closed form", |state| speeds(&m, state.t).y * 60.0 / TAU)
+        .plot("share on the left", "N m", |state| shares(&m, state)[0])
+        .and("on the right", |state| shares(&m, state)[1]);
+    show("loaded_differential", &view)?;
     Ok(())
 }
 

@@ -21,10 +21,12 @@ use std::error::Error;
 
 use reuleaux::mechanism;
 use reuleaux::nalgebra::Vector2;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, steps};
+use reuleaux::picture::Drawable;
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, show, steps};
 
 mechanism! {
     /// A crank-rocker whose links have masses.
+    #[picture]
     pub mechanism Loaded {
         param speed: AngularVelocity = 300rpm;
         /// Counterweight on the crank, opposite to its pin.
@@ -82,6 +84,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("{angle:7.1}   {torque:10.4}   {:8.3}   {:8.3}   {:8.1e}", force(&plain), force(&half), force(&balanced));
     }
     println!("{}", picture(&plain, &half, &balanced)?.save("loads")?.display());
+    let mechanism = Loaded { crank_weight: WEIGHTS[0], rocker_weight: WEIGHTS[1], ..Default::default() };
+    let states = mechanism.sweep(steps(0.0, 0.2, 120)).collect::<Result<Vec<LoadedState<f64>>, _>>()?;
+    let view = mechanism
+        .view(states)
+        .trace("path of A", |state| mechanism.A(state).value)
+        .plot("bearing O", "N", |state| mechanism.loads(state).o().force.norm())
+        .and("bearing C", |state| mechanism.loads(state).c().force.norm())
+        .plot("motor torque", "N m", |state| mechanism.loads(state).motor().effort);
+    show("loads", &view)?;
     Ok(())
 }
 

@@ -16,8 +16,9 @@
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use reuleaux::picture::Drawable;
 use reuleaux::{Real, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, largest_difference, place, polar, rectangle, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, largest_difference, place, polar, rectangle, show, steps};
 
 /// The lift at 0°, 15°, … 345° as read, in mm.
 const MEASURED: [f64; 24] = [
@@ -49,6 +50,7 @@ fn harmonics(psi: f64) -> (f64, f64, f64) {
 
 mechanism! {
     /// One cam with two flat followers that use different laws.
+    #[picture]
     pub mechanism MeasuredCam {
         param speed: AngularVelocity = 600rpm;
 
@@ -90,6 +92,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     print_errors(&mechanism, &turn);
     print(&mechanism, &turn);
     println!("{}", picture(&mechanism, &turn).save("measured_cam")?.display());
+    let view = mechanism
+        .view(turn)
+        .plot("lift by harmonics", "mm", |state| mechanism.smooth_lift(state).value * 1e3)
+        .and("by a spline", |state| mechanism.spline_lift(state).value * 1e3)
+        .plot("acceleration by harmonics", "m/s²", |state| mechanism.smooth_lift(state).acceleration)
+        .and("by a spline", |state| mechanism.spline_lift(state).acceleration)
+        .and("exact law", |state| law(&mechanism, seen(state)).1);
+    show("measured_cam", &view)?;
     Ok(())
 }
 

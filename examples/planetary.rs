@@ -16,10 +16,12 @@ use std::error::Error;
 use std::f64::consts::{PI, TAU};
 
 use reuleaux::mechanism;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, gear, largest_difference, meshing, polar, steps};
+use reuleaux::picture::Drawable;
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, gear, largest_difference, meshing, polar, show, steps};
 
 mechanism! {
     /// Sun and ring are driven; the carrier follows.
+    #[picture]
     pub mechanism Planetary {
         param sun_speed: AngularVelocity = 210rpm;
         param ring_speed: AngularVelocity = 0;
@@ -72,6 +74,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_hypocycloid(&mechanism, &turn);
     assert_rolling(&turn);
     println!("{}", picture(&mechanism, &turn).save("planetary")?.display());
+    let view = mechanism
+        .view(turn)
+        .trace("hypocycloid", |state| mechanism.P(state).value)
+        .plot("sun", "turns", |state| state.sun().angle / TAU)
+        .and("carrier", |state| state.carrier().angle / TAU)
+        .and("planet", |state| state.a().angle / TAU)
+        .plot("speed of P", "m/s", |state| mechanism.P(state).rate.norm());
+    show("planetary", &view)?;
     Ok(())
 }
 

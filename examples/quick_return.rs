@@ -20,10 +20,12 @@ use std::error::Error;
 use std::f64::consts::PI;
 
 use reuleaux::mechanism;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, place, polar, rectangle, steps};
+use reuleaux::picture::Drawable;
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, place, polar, rectangle, show, steps};
 
 mechanism! {
     /// A shaper that cuts to the left.
+    #[picture]
     pub mechanism Shaper {
         param speed: AngularVelocity = 60rpm;
         param crank_length: Length = 150mm;
@@ -69,6 +71,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_time_ratio(&mechanism)?;
     print(&mechanism, &turn);
     println!("{}", picture(&mechanism, &turn).save("quick_return")?.display());
+    let view = mechanism
+        .view(turn)
+        .trace("path of E", |state| mechanism.E(state).value)
+        .plot("travel", "mm", |state| mechanism.travel(state).value * 1e3)
+        .and("closed form", |state| closed_form(&mechanism, state.crank().angle).1 * 1e3)
+        .plot("cutter", "m/s", |state| mechanism.travel(state).rate);
+    show("quick_return", &view)?;
     Ok(())
 }
 

@@ -17,10 +17,12 @@ use std::error::Error;
 use std::f64::consts::PI;
 
 use reuleaux::mechanism;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, gear, largest_difference, place, steps};
+use reuleaux::picture::Drawable;
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, gear, largest_difference, place, show, steps};
 
 mechanism! {
     /// A wiper that is upright in the middle of the stroke.
+    #[picture]
     pub mechanism Wiper {
         param speed: AngularVelocity = 60rpm;
         param crank_length: Length = 25mm;
@@ -64,6 +66,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_rolling(&mechanism, &turn);
     print(&turn);
     println!("{}", picture(&mechanism, &turn).save("rack_pinion")?.display());
+    let view = mechanism
+        .view(turn)
+        .trace("path of W", |state| mechanism.W(state).value)
+        .plot("wiper", "°", |state| state.wiper().angle.to_degrees())
+        .and("closed form", |state| closed_form(&mechanism, state.crank().angle).to_degrees())
+        .plot("velocity", "rad/s", |state| state.wiper().angular_velocity);
+    show("rack_pinion", &view)?;
     Ok(())
 }
 

@@ -23,8 +23,9 @@ use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use reuleaux::nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+use reuleaux::picture::Drawable;
 use reuleaux::{Motion, SpatialBody, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, seen, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, seen, show, steps};
 
 mechanism! {
     /// A UR5 with a motor in each hinge.
@@ -62,6 +63,7 @@ mechanism! {
 
 mechanism! {
     /// The same arm with its tool prescribed, pointing down throughout.
+    #[picture]
     pub mechanism LedRobot in space {
         let turn = 1turn * t / 4s;
 
@@ -126,6 +128,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     print(&led, &circle);
     println!("{}", picture(&led, &circle).save("robot_arm")?.display());
+    let view = led
+        .view(circle)
+        .trace("path of the tool", |state| led.tool(state).position)
+        .plot("hinge 1", "°", |state| led.arm_angle(state)[0].value.to_degrees())
+        .and("hinge 2", |state| led.arm_angle(state)[1].value.to_degrees())
+        .and("hinge 3", |state| led.arm_angle(state)[2].value.to_degrees())
+        .plot("x of the tool", "mm", |state| led.tool(state).position.x * 1e3)
+        .and("wanted", |state| wanted(state.t)[0].x * 1e3);
+    show("robot_arm", &view)?;
     Ok(())
 }
 

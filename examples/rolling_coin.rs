@@ -14,11 +14,13 @@ use std::error::Error;
 use std::f64::consts::TAU;
 
 use reuleaux::nalgebra::Vector3;
+use reuleaux::picture::Drawable;
 use reuleaux::{Integrator, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, ring, seen, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, ring, seen, show, steps};
 
 mechanism! {
     /// A thin coin on a table.
+    #[picture]
     pub mechanism Coin in space {
         param radius: Length = 100mm;
         /// Angle between coin and table.
@@ -70,6 +72,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("a coin that curls keeps {most:.6} J within {:.1e} J", most - least);
     assert!(most - least < 1e-8 * most);
     println!("{}", picture(&coin, &curl).save("rolling_coin")?.display());
+    let view = coin
+        .view(curl.into_iter().step_by(2))
+        .trace("path of the contact", |state| contact(&coin, state))
+        .plot("lean", "°", |state| state.coin().rotation[(2, 2)].acos().to_degrees())
+        .plot("kinetic energy", "J", |state| coin.energy(state).kinetic)
+        .and("potential energy", |state| coin.energy(state).potential)
+        .and("their sum", |state| coin.energy(state).kinetic + coin.energy(state).potential);
+    show("rolling_coin", &view)?;
     Ok(())
 }
 

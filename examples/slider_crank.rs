@@ -16,10 +16,12 @@
 use std::error::Error;
 
 use reuleaux::mechanism;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, place, rectangle, steps};
+use reuleaux::picture::Drawable;
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, place, rectangle, show, steps};
 
 mechanism! {
     /// An engine with an offset cylinder.
+    #[picture]
     pub mechanism Engine {
         param speed: AngularVelocity = 600rpm;
         param crank_length: Length = 120mm;
@@ -58,6 +60,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_stroke(&mechanism)?;
     print(&mechanism, &turn);
     println!("{}", picture(&mechanism, &turn).save("slider_crank")?.display());
+    let view = mechanism
+        .view(turn)
+        .trace("path of A", |state| mechanism.A(state).value)
+        .plot("travel", "mm", |state| mechanism.travel(state).value * 1e3)
+        .and("closed form", |state| piston(&mechanism, state.crank().angle)[0] * 1e3)
+        .plot("speed", "m/s", |state| mechanism.travel(state).rate)
+        .plot("acceleration", "m/s²", |state| mechanism.travel(state).acceleration);
+    show("slider_crank", &view)?;
     Ok(())
 }
 

@@ -22,10 +22,12 @@ use std::error::Error;
 
 use reuleaux::mechanism;
 use reuleaux::nalgebra::Vector3;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, ring, seen, steps};
+use reuleaux::picture::Drawable;
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, ring, seen, show, steps};
 
 mechanism! {
     /// A crank whose axis is parallel to the line of its slider.
+    #[picture]
     pub mechanism SpatialSliderCrank in space {
         param speed: AngularVelocity = 60rpm;
         param crank_length: Length = 80mm;
@@ -73,6 +75,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_rod(&mechanism, &turn);
     print(&mechanism, &turn);
     println!("{}", picture(&mechanism, &turn).save("spatial_slider_crank")?.display());
+    let view = mechanism
+        .view(turn)
+        .trace("path of A", |state| mechanism.A(state).value)
+        .plot("travel", "mm", |state| mechanism.travel(state).value * 1e3)
+        .and("closed form", |state| travel(&mechanism, mechanism.angle(state).value)[0] * 1e3)
+        .plot("speed", "m/s", |state| mechanism.travel(state).rate);
+    show("spatial_slider_crank", &view)?;
     Ok(())
 }
 

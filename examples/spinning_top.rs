@@ -11,11 +11,13 @@ use std::error::Error;
 use std::f64::consts::TAU;
 
 use reuleaux::nalgebra::Vector3;
+use reuleaux::picture::Drawable;
 use reuleaux::{Integrator, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, ring, seen, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, ring, seen, show, steps};
 
 mechanism! {
     /// A top spinning on its tip.
+    #[picture]
     pub mechanism Top in space {
         param lean: Angle = 30deg;
         /// Spin about its own axis.
@@ -64,6 +66,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     );
     assert!((turning_point(&top)? - bound(&top)).abs() < 1e-9);
     println!("{}", picture(&top, &curve).save("spinning_top")?.display());
+    let states: Vec<State> = top.sweep(steps(0.0, 1.0, 500), Integrator::new(1e-9)).collect::<Result<_, _>>()?;
+    let view = top
+        .view(states)
+        .trace("path of the centre", |state| state.top().rotation.column(2) * 0.06)
+        .plot("from the vertical", "°", |state| axis(state)[0].to_degrees())
+        .and("lower bound", |_| bound(&top).to_degrees());
+    show("spinning_top", &view)?;
     Ok(())
 }
 

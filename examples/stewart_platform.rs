@@ -18,10 +18,12 @@ use std::f64::consts::TAU;
 
 use reuleaux::mechanism;
 use reuleaux::nalgebra::{Rotation3, Unit, Vector3};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, seen, steps};
+use reuleaux::picture::Drawable;
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, seen, show, steps};
 
 mechanism! {
     /// A platform on six cylinders.
+    #[picture]
     pub mechanism StewartPlatform in space {
         let base = 600mm;
         let top = 350mm;
@@ -71,6 +73,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     motion.iter().for_each(assert_motion);
     print(&mechanism, &motion);
     println!("{}", picture(&mechanism, &motion).save("stewart_platform")?.display());
+    let view = mechanism
+        .view(motion)
+        .trace("path of the centre", |state| mechanism.middle(state).value)
+        .plot("leg 1", "mm", |state| mechanism.length(state)[0].value * 1e3)
+        .and("leg 2", |state| mechanism.length(state)[1].value * 1e3)
+        .plot("height", "mm", |state| mechanism.middle(state).value.z * 1e3)
+        .and("wanted", |state| wanted(state.t)[0].0.z * 1e3);
+    show("stewart_platform", &view)?;
     Ok(())
 }
 

@@ -14,12 +14,14 @@
 
 use std::error::Error;
 
+use reuleaux::picture::Drawable;
 use reuleaux::{Integrator, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, place, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, place, show, steps};
 
 mechanism! {
     /// Three axles: two of the car, of which the front one is steered, and one of the trailer.
     #[integrated]
+    #[picture]
     pub mechanism Trailer {
         param wheelbase: Length = 2.7m;
         param drawbar: Length = 4m;
@@ -80,6 +82,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let off = way.iter().map(|state| ((state.car().position - place(0.0, radius)).norm() - radius).abs()).fold(0.0, f64::max);
     assert!(off < 1e-9, "{off:e} m");
     println!("{}", picture(&curve, &way).save("trailer")?.display());
+    let view = curve
+        .view(way)
+        .trace("rear axle of the car", |state| state.car().position)
+        .trace("axle of the trailer", |state| state.trailer().position)
+        .plot("hitch", "°", |state| curve.angle(state).value.to_degrees())
+        .and("closed form", |state| angle(&curve, state.t).to_degrees());
+    show("trailer", &view)?;
     Ok(())
 }
 

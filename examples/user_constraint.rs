@@ -19,8 +19,9 @@
 use std::error::Error;
 use std::f64::consts::TAU;
 
+use reuleaux::picture::Drawable;
 use reuleaux::{constraint, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, show, steps};
 
 constraint! {
     /// The constraints of an orbit.
@@ -42,6 +43,7 @@ constraint! {
 
 mechanism! {
     /// An orrery for one planet, with the sun in `F`.
+    #[picture]
     pub mechanism Orrery {
         use crate::orbit;
 
@@ -78,6 +80,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     print(&mechanism, &year);
     println!("{}", picture(&mechanism, &year).save("user_constraint")?.display());
+    let view = mechanism
+        .view(year)
+        .trace("orbit", |state| mechanism.P(state).value)
+        .plot("distance", "mm", |state| mechanism.P(state).value.norm() * 1e3)
+        .and("ellipse", |state| distance(&mechanism, state.arm().angle) * 1e3)
+        .plot("arm", "rad/s", |state| state.arm().angular_velocity);
+    show("user_constraint", &view)?;
     Ok(())
 }
 

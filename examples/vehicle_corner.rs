@@ -22,11 +22,13 @@
 use std::error::Error;
 use std::f64::consts::PI;
 
+use reuleaux::picture::Drawable;
 use reuleaux::{Integrator, PlanarBody, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, carried, gauss, on, place, rectangle, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, carried, gauss, on, place, rectangle, show, steps};
 
 mechanism! {
     /// A quarter of a car on a double wishbone, seen from the front.
+    #[picture]
     pub mechanism Corner {
         /// Free length of the spring.
         param rest: Length = 480mm;
@@ -112,6 +114,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let on_bump = Corner { bump: 0.04, ..still };
     let (bumped, released) = (drive(&on_bump)?, drive(&Corner { lift: 5e-3, ..still })?);
     println!("{}", picture(&on_bump, &linear, &bumped, &released).save("vehicle_corner")?.display());
+    let view = on_bump
+        .view(bumped.into_iter().step_by(2))
+        .plot("road", "mm", |state| on(&state.upright(), place(0.11, -0.17)).y * 1e3)
+        .and("car", |state| state.car().position.y * 1e3)
+        .plot("wheel load", "kN", |state| on_bump.loads(state).road().effort / 1e3);
+    show("vehicle_corner", &view)?;
     Ok(())
 }
 

@@ -19,11 +19,13 @@ use std::error::Error;
 use std::f64::consts::{PI, TAU};
 
 use reuleaux::mechanism;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, largest_difference, place, polar, steps};
+use reuleaux::picture::Drawable;
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, largest_difference, place, polar, show, steps};
 
 mechanism! {
     /// Three pairs of legs, walking to the left.
     #[allow(far_start)]
+    #[picture]
     pub mechanism Walker {
         param speed: AngularVelocity = -60rpm;
         let pairs = 3;
@@ -115,6 +117,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     print_plan();
     print_gait(&walker, &turn);
     println!("{}", picture(&walker, &turn).save("walker")?.display());
+    let view = walker
+        .view(turn)
+        .trace("path of a left foot", |state| feet(&walker, state)[0][0])
+        .trace("path of a right foot", |state| feet(&walker, state)[0][1])
+        .plot("left foot", "mm", |state| feet(&walker, state)[0][0].y * 1e3)
+        .and("triangles", |state| triangles(&walker, state.crank().angle)[0][0].y * 1e3)
+        .plot("axle over the lowest foot", "mm", |state| -lowest(feet(&walker, state)) * 1e3);
+    show("walker", &view)?;
     Ok(())
 }
 

@@ -22,10 +22,12 @@ use std::f64::consts::TAU;
 
 use reuleaux::mechanism;
 use reuleaux::nalgebra::Vector3;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, largest_difference, ring, seen, steps};
+use reuleaux::picture::Drawable;
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, largest_difference, ring, seen, show, steps};
 
 mechanism! {
     /// A screw jack on a worm gear.
+    #[picture]
     pub mechanism ScrewJack in space {
         param turns: Angle = 3000turn;
         param duration: Time = 60s;
@@ -72,6 +74,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     print(&mechanism, &motion);
     println!("{}", picture(&mechanism, &motion).save("worm_and_screw")?.display());
+    // Few turns and a steep thread, so that both can be seen.
+    let steep = ScrewJack { turns: 5.0 * TAU, lead: 0.36, duration: 4.0, ..mechanism };
+    let motion: Vec<State> = steep.sweep(steps(0.0, 4.0, 120)).collect::<Result<_, _>>()?;
+    let view = steep
+        .view(motion)
+        .plot("height", "mm", |state| steep.height(state).value * 1e3)
+        .and("closed form", |state| exact(&steep, state.t / steep.duration)[0] * 1e3)
+        .plot("turns of the motor", "", |state| steep.motor(state).value / TAU);
+    show("worm_and_screw", &view)?;
     Ok(())
 }
 

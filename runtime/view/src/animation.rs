@@ -1,29 +1,24 @@
 //! A motion as one animated SVG: SMIL, which plays where scripts are not allowed.
 //!
-//! Consecutive frames that paint the same elements in the same order form a run. The elements of a run are written once and animated; if
-//! there are several runs, each is visible during its own frames.
+//! Each element is written once for each place that it has in the paint order of the motion, mostly once, and is visible in the frames
+//! that paint it there.
 
 use std::fmt::Write;
 
 use crate::recording::{Drawn, Recording};
+use crate::slots::{Slot, slots};
 use crate::still;
-use crate::template::{Attribute, Element};
+use crate::template::Attribute;
 use crate::tokens;
 use crate::unviewable::Unviewable;
 
-/// Largest number of states that are written.
-const MOST: usize = 61;
+/// Largest number of states that are written, and the numbers to which they are reduced for a smaller file.
+const MOST: [usize; 6] = [61, 41, 31, 25, 19, 13];
 
 /// Rules for dark pages and for readers who prefer reduced motion.
 const STYLE: &str = ".still{display:none}\
 @media(prefers-color-scheme:dark){.reuleaux{--ink:#e6e6e6;--paper:#16181d}}\
 @media(prefers-reduced-motion:reduce){.moving{display:none}.still{display:inline}}";
-
-/// Frames from `first` up to, but excluding, `end`, visible during one part of the period.
-struct Run {
-    first: usize,
-    end: usize,
-}
 
 /// Times at which frames are shown.
 struct Clock {
@@ -35,32 +30,30 @@ struct Clock {
     period: String,
 }
 
-pub(crate) fn animated_svg(recording: &Recording) -> Result<String, Unviewable> {
-    let recording = recording.thinned(MOST);
+/// The motion in a file of at most `size` bytes if one of the numbers of states allows it.
+pub(crate) fn animated_svg(recording: &Recording, size: usize) -> Result<String, Unviewable> {
+    let mut page = String::new();
+    for most in MOST {
+        page = with_states(&recording.thinned(most))?;
+        if page.len() <= size {
+            break;
+        }
+    }
+    Ok(page)
+}
+
+/// The motion with all states of a recording.
+fn with_states(recording: &Recording) -> Result<String, Unviewable> {
     let drawn = recording.drawn()?;
-    let clock = Clock::of(&recording);
-    let mut page = still::head(&recording, &drawn, STYLE);
+    let clock = Clock::of(recording);
+    let mut page = still::head(recording, &drawn, STYLE);
     page += &still::traces(&drawn);
     page += "<g class=\"moving\">\n";
-    let runs = runs(&drawn.template.order);
-    for run in &runs {
-        page += &shown(run, &clock, &drawn, runs.len() == 1);
-    }
+    slots(&drawn.template).iter().for_each(|slot| page += &moving(slot, &clock, &drawn));
     page += "</g>\n<g class=\"still\">\n";
     drawn.template.painted(0).for_each(|element| page += &still::mark(element, 0));
     let _ = write!(page, "</g>\n{}</svg>\n", drawn.film.foot());
     Ok(page)
-}
-
-/// Runs of frames with the same paint order.
-fn runs(order: &[usize]) -> Vec<Run> {
-    let mut end = 0;
-    let run = |same: &[usize]| {
-        let first = end;
-        end += same.len();
-        Run { first, end }
-    };
-    order.chunk_by(|one, two| one == two).map(run).collect()
 }
 
 impl Clock {
@@ -82,39 +75,40 @@ impl Clock {
     }
 }
 
-/// The elements of a run, visible during the run.
-fn shown(run: &Run, clock: &Clock, drawn: &Drawn, is_alone: bool) -> String {
-    let painted = drawn.template.painted(run.first);
-    if is_alone {
-        return painted.map(|element| moving(element, run, clock, drawn)).collect();
+/// An element in one place of the paint order, with its animated attributes.
+fn moving(slot: &Slot, clock: &Clock, drawn: &Drawn) -> String {
+    let Some(element) = drawn.template.elements.get(slot.element) else { return String::new() };
+    let shown = |frame: &usize| slot.is_shown.get(*frame).copied().unwrap_or(false);
+    let count = slot.is_shown.len();
+    let (first, last) = ((0..count).find(shown).unwrap_or(0), (0..count).rfind(shown).unwrap_or(0));
+    let mut mark = still::opened(element, first);
+    if (0..count).any(|frame| !shown(&frame)) {
+        mark.insert_str(mark.len().saturating_sub(1), if shown(&0) { "" } else { " visibility=\"hidden\"" });
+        mark += &visibility(&slot.is_shown, clock);
     }
-    let count = clock.times.len();
-    let visibility = if run.first == 0 { "visible" } else { "hidden" };
-    let (values, times) = match (run.first, run.end) {
-        (0, end) => ("visible;hidden", format!("0;{}", clock.at(end))),
-        (first, end) if end == count => ("hidden;visible", format!("0;{}", clock.at(first))),
-        (first, end) => ("hidden;visible;hidden", format!("0;{};{}", clock.at(first), clock.at(end))),
-    };
-    let mut group = format!(
-        "<g visibility=\"{visibility}\"><animate attributeName=\"visibility\" calcMode=\"discrete\" values=\"{values}\" \
-         keyTimes=\"{times}\" dur=\"{}s\" repeatCount=\"indefinite\"/>\n",
-        clock.period
-    );
-    painted.for_each(|element| group += &moving(element, run, clock, drawn));
-    group + "</g>\n"
-}
-
-/// An element with its animated attributes.
-fn moving(element: &Element, run: &Run, clock: &Clock, drawn: &Drawn) -> String {
-    let mut mark = still::opened(element, run.first);
     mark += &still::contents(element);
-    // At the end of a run an element moves on towards its position in the next frame.
-    let frames = run.first..=run.end.min(drawn.template.order.len().saturating_sub(1));
+    // After its last frame an element moves on towards its position in the next one.
+    let frames: Vec<usize> = (first..=(last + 1).min(count.saturating_sub(1))).collect();
     for attribute in element.attributes.iter().filter(|attribute| attribute.moves()) {
-        mark += &animate(attribute, &frames.clone().collect::<Vec<_>>(), clock);
+        mark += &animate(attribute, &frames, clock);
     }
     let _ = writeln!(mark, "</{}>", element.tag);
     mark
+}
+
+/// Animation of the visibility.
+fn visibility(is_shown: &[bool], clock: &Clock) -> String {
+    let is_change = |frame: &usize| *frame == 0 || is_shown[*frame] != is_shown[*frame - 1];
+    let changes: Vec<usize> = (0..is_shown.len()).filter(is_change).collect();
+    let values: Vec<&str> = changes.iter().map(|frame| if is_shown[*frame] { "visible" } else { "hidden" }).collect();
+    let times: Vec<String> = changes.iter().map(|frame| clock.at(*frame)).collect();
+    format!(
+        "<animate attributeName=\"visibility\" calcMode=\"discrete\" values=\"{}\" keyTimes=\"{}\" dur=\"{}s\" \
+         repeatCount=\"indefinite\"/>",
+        values.join(";"),
+        times.join(";"),
+        clock.period
+    )
 }
 
 /// Animation of one attribute over some frames; empty if the attribute is constant.

@@ -73,6 +73,7 @@ mod page;
 mod pixels;
 mod point;
 mod recording;
+mod slots;
 mod still;
 mod template;
 mod tokens;

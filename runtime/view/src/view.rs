@@ -105,7 +105,15 @@ impl<S> View<S> {
     /// # Errors
     /// The reason why the states cannot be shown.
     pub fn animated_svg(&self) -> Result<String, Unviewable> {
-        animation::animated_svg(&self.recording)
+        animation::animated_svg(&self.recording, usize::MAX)
+    }
+
+    /// The same in a file of at most `size` bytes if possible: states are thinned out further until it fits, down to 13.
+    ///
+    /// # Errors
+    /// The reason why the states cannot be shown.
+    pub fn animated_svg_within(&self, size: usize) -> Result<String, Unviewable> {
+        animation::animated_svg(&self.recording, size)
     }
 
     /// Writes the drawing of every state into a folder, which is created if necessary: `0000.svg`, `0001.svg`, …, all of one size.
