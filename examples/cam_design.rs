@@ -26,7 +26,7 @@ use std::f64::consts::{PI, TAU};
 use reuleaux::picture::Drawable;
 use reuleaux::{Motion, mechanism};
 use reuleaux_cam::{CamError, CurvePoint};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, place, polar, rectangle, show, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, place, polar, rectangle, round, show, steps};
 
 /// Radii of the roller and of the cutter (m).
 const ROLLER: f64 = 0.012;
@@ -83,6 +83,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", picture(&offset, &central)?.save("cam_design")?.display());
     let view = offset
         .view(turn(&offset)?.into_iter().step_by(4))
+        .outline("cam", surface(&offset, &turn(&offset)?)?.into_iter().step_by(6))
+        .outline("slide", round(ROLLER))
         .plot("lift", "mm", |state| (offset.travel(state).value - (offset.prime.powi(2) - offset.offset.powi(2)).sqrt()) * 1e3)
         .and("formula", |state| lift(&offset, state.cam().angle)[0] * 1e3)
         .plot("pressure angle", "°", |state| pressure_angle(&offset, state).map_or(f64::NAN, f64::to_degrees))

@@ -20,7 +20,7 @@ use std::error::Error;
 use reuleaux::mechanism;
 use reuleaux::nalgebra::{Matrix3, Rotation3, Unit, Vector3};
 use reuleaux::picture::Drawable;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, ring, seen, show, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, ring, round, seen, show, steps};
 
 mechanism! {
     /// The left front wheel of a car, moved up and down by a test rig.
@@ -106,6 +106,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let whole: Vec<State> = mechanism.sweep(steps(0.0, 4.0 * quarter, 80)).collect::<Result<_, _>>()?;
     let view = mechanism
         .view(whole)
+        .outline("upright", round(0.3).iter().map(|at| W + Vector3::new(at.x, 0.0, at.y)))
         .trace("path of W", |state| mechanism.W(state).value)
         .plot("camber", "°", |state| mechanism.camber(state).value.to_degrees())
         .and("closed form", |state| angles(&exact(&mechanism, mechanism.lower_angle(state).value)[4])[0].to_degrees())

@@ -27,7 +27,7 @@ use std::f64::consts::TAU;
 use reuleaux::nalgebra::Vector2;
 use reuleaux::picture::Drawable;
 use reuleaux::{Integrator, constraint, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, gauss, gear, meshing, polar, show, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, gauss, gear, meshing, place, polar, show, steps};
 
 constraint! {
     /// Two involute gears with base radii `a` and `b` about `A` and `B`; `side` is 1 if that of `A` drives to the left, −1 if to the
@@ -108,8 +108,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", picture(&m, &start).save("geared_start")?.display());
     // The first turns of the motor.
     let begin: Vec<State> = m.sweep(steps(0.0, 0.25, 120), Integrator::new(1e-11)).collect::<Result<_, _>>()?;
+    let wheel = |teeth, tooth| gear(place(0.0, 0.0), teeth, MODULE, tooth);
     let view = m
         .view(begin)
+        .outline("drum", wheel(54, meshing(TAU / 4.0, 18.0, 54.0, 0.0)))
+        .outline("middle", wheel(60, meshing(0.0, 20.0, 60.0, 0.0)))
+        .outline("middle", wheel(18, 0.0))
+        .outline("motor", wheel(20, 0.0))
         .plot("motor", "rpm", |state| state.motor().angular_velocity * 60.0 / TAU)
         .and("closed form", |state| exact(&m, state.t).motor[1] * 60.0 / TAU)
         .plot("teeth 20 : 60", "N", |state| m.loads(state).first().force.norm())

@@ -79,6 +79,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", picture(&mechanism, &turn).save("geneva")?.display());
     let view = mechanism
         .view(turn.into_iter().step_by(3))
+        .outline("wheel", wheel(&mechanism))
+        .outline("crank", disc(&mechanism))
         .plot("wheel", "°", |state| mechanism.angle(state).value.to_degrees())
         .and("formula", |state| formula(state.crank().angle)[0].to_degrees())
         .plot("velocity", "rad/s", |state| mechanism.angle(state).rate)

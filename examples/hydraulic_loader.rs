@@ -16,7 +16,7 @@
 use std::error::Error;
 
 use reuleaux::mechanism;
-use reuleaux::picture::Drawable;
+use reuleaux::picture::{Drawable, GROUND};
 use reuleaux_examples::{
     Abscissa, Diagram, Ink, Place, Plate, Scene, apex, carried, largest_difference, on, place, rectangle, show, steps,
 };
@@ -80,6 +80,10 @@ mechanism! {
 
 type State = LoaderState<f64>;
 
+/// Outlines of the chassis in ground and of the bucket in its frame (m).
+const CHASSIS: [[f64; 2]; 6] = [[-1.2, -0.9], [-1.2, 0.15], [-0.1, 0.15], [0.2, 0.4], [0.5, 0.4], [0.3, -1.05]];
+const BUCKET: [[f64; 2]; 5] = [[1.0, -0.1], [0.05, -0.2], [-0.2, -0.02], [-0.22, 0.5], [0.12, 0.72]];
+
 fn main() -> Result<(), Box<dyn Error>> {
     let mechanism = Loader::default();
     let cycle: Vec<State> = mechanism.sweep(steps(0.0, 9.0, 180)).collect::<Result<_, _>>()?;
@@ -90,6 +94,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", picture(&mechanism, &cycle).save("hydraulic_loader")?.display());
     let view = mechanism
         .view(cycle)
+        .outline(GROUND, CHASSIS.map(|[x, y]| place(x, y)))
+        .outline("bucket", BUCKET.map(|[x, y]| place(x, y)))
         .trace("path of the edge", |state| mechanism.edge(state).value)
         .plot("lift", "m", |state| mechanism.lift_cylinder(state).value)
         .and("tilt", |state| mechanism.tilt_cylinder(state).value)
@@ -166,16 +172,14 @@ fn picture(m: &Loader, cycle: &[State]) -> Plate {
 }
 
 fn chassis(scene: &mut Scene) {
-    let corners = [(-1.2, -0.9), (-1.2, 0.15), (-0.1, 0.15), (0.2, 0.4), (0.5, 0.4), (0.3, -1.05)];
-    scene.surface(Ink::Ground, corners.map(|(x, y)| place(x, y)));
+    scene.surface(Ink::Ground, CHASSIS.map(|[x, y]| place(x, y)));
     scene.disc(Ink::Ground, place(-0.55, -1.15), 0.6).disc(Ink::Ground, place(-0.55, -1.15), 0.22);
 }
 
 fn draw(scene: &mut Scene, m: &Loader, state: &State) {
     let [p, l, t, b] = [m.P(state), m.L(state), m.T(state), m.B(state)].map(|point| point.value);
     let [arm, k, q, s, r] = [m.M(state), m.K(state), m.Q(state), m.S(state), m.R(state)].map(|point| point.value);
-    let profile = [(1.0, -0.1), (0.05, -0.2), (-0.2, -0.02), (-0.22, 0.5), (0.12, 0.72)];
-    scene.surface(Ink::Output, profile.map(|(x, y)| on(&state.bucket(), place(x, y))));
+    scene.surface(Ink::Output, BUCKET.map(|[x, y]| on(&state.bucket(), place(x, y))));
     scene.line(Ink::Input, [l, arm]).line(Ink::Second, [t, s]);
     scene.link(Ink::Coupler, &[p, arm, k, q]);
     scene.link(Ink::Second, &[r, b]);

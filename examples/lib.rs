@@ -41,6 +41,11 @@ pub fn steps(first: f64, last: f64, count: u32) -> impl Iterator<Item = f64> + C
     (0..=count).map(move |i| first + (last - first) * f64::from(i) / f64::from(count))
 }
 
+/// Corners of a circle of this radius (m) about the origin.
+pub fn round(radius: f64) -> Vec<Place> {
+    steps(0.0, TAU, 36).skip(1).map(|angle| polar(radius, angle)).collect()
+}
+
 /// Largest |a − b| of the pairs; NaN if any is NaN.
 pub fn largest_difference(pairs: impl IntoIterator<Item = (f64, f64)>) -> f64 {
     pairs.into_iter().map(|(a, b)| (a - b).abs()).fold(0.0, |largest: f64, d| if largest.is_nan() || d <= largest { largest } else { d })

@@ -16,7 +16,7 @@ use std::f64::consts::TAU;
 use reuleaux::nalgebra::Vector3;
 use reuleaux::picture::Drawable;
 use reuleaux::{Integrator, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, ring, seen, show, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, ring, round, seen, show, steps};
 
 mechanism! {
     /// A thin coin on a table.
@@ -74,6 +74,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", picture(&coin, &curl).save("rolling_coin")?.display());
     let view = coin
         .view(curl.into_iter().step_by(2))
+        .outline("coin", round(coin.radius).iter().map(|at| at.push(0.0)))
         .trace("path of the contact", |state| contact(&coin, state))
         .plot("lean", "°", |state| state.coin().rotation[(2, 2)].acos().to_degrees())
         .plot("kinetic energy", "J", |state| coin.energy(state).kinetic)

@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 use reuleaux::nalgebra::Vector3;
 use reuleaux::picture::Drawable;
 use reuleaux::{Integrator, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, ring, seen, show, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, ring, round, seen, show, steps};
 
 mechanism! {
     /// A top spinning on its tip.
@@ -69,6 +69,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let states: Vec<State> = top.sweep(steps(0.0, 1.0, 500), Integrator::new(1e-9)).collect::<Result<_, _>>()?;
     let view = top
         .view(states)
+        .outline("top", round(0.035).iter().map(|at| at.push(0.06)))
+        .outline("top", [Vector3::zeros(), Vector3::new(0.035, 0.0, 0.06), Vector3::new(-0.035, 0.0, 0.06)])
         .trace("path of the centre", |state| state.top().rotation.column(2) * 0.06)
         .plot("from the vertical", "°", |state| axis(state)[0].to_degrees())
         .and("lower bound", |_| bound(&top).to_degrees());

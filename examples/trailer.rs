@@ -16,7 +16,7 @@ use std::error::Error;
 
 use reuleaux::picture::Drawable;
 use reuleaux::{Integrator, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, place, show, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, place, rectangle, show, steps};
 
 mechanism! {
     /// Three axles: two of the car, of which the front one is steered, and one of the trailer.
@@ -84,6 +84,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", picture(&curve, &way).save("trailer")?.display());
     let view = curve
         .view(way)
+        .outline("car", rectangle(place(1.3, 0.0), 0.0, 3.8, 1.2))
+        .outline("wheel", rectangle(place(0.0, 0.0), 0.0, 0.7, 0.25))
+        .outline("trailer", rectangle(place(0.6, 0.0), 0.0, 3.6, 1.2))
         .trace("rear axle of the car", |state| state.car().position)
         .trace("axle of the trailer", |state| state.trailer().position)
         .plot("hitch", "°", |state| curve.angle(state).value.to_degrees())

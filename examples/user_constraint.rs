@@ -21,7 +21,7 @@ use std::f64::consts::TAU;
 
 use reuleaux::picture::Drawable;
 use reuleaux::{constraint, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, show, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, round, show, steps};
 
 constraint! {
     /// The constraints of an orbit.
@@ -82,6 +82,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", picture(&mechanism, &year).save("user_constraint")?.display());
     let view = mechanism
         .view(year)
+        .outline("planet", round(0.008))
         .trace("orbit", |state| mechanism.P(state).value)
         .plot("distance", "mm", |state| mechanism.P(state).value.norm() * 1e3)
         .and("ellipse", |state| distance(&mechanism, state.arm().angle) * 1e3)

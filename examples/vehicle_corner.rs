@@ -68,6 +68,9 @@ mechanism! {
 
 type State = CornerState<f64>;
 
+/// Outline of the car in its frame (m).
+const BODY: [[f64; 2]; 8] = [[-0.12, 0.1], [0.03, 0.1], [0.03, 0.36], [0.09, 0.4], [0.09, 0.55], [0.2, 0.58], [0.2, 0.68], [-0.12, 0.68]];
+
 const GRAVITY: f64 = 9.81;
 const STIFFNESS: f64 = 40e3;
 /// Mass (kg), centre (m) in its own frame and inertia (kg m²) of lower arm, upper arm and upright.
@@ -116,6 +119,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", picture(&on_bump, &linear, &bumped, &released).save("vehicle_corner")?.display());
     let view = on_bump
         .view(bumped.into_iter().step_by(2))
+        .outline("car", BODY.map(|[x, y]| place(x, y)))
+        .outline("upright", rectangle(place(0.11, 0.13), 0.0, 0.18, 0.6))
         .plot("road", "mm", |state| on(&state.upright(), place(0.11, -0.17)).y * 1e3)
         .and("car", |state| state.car().position.y * 1e3)
         .plot("wheel load", "kN", |state| on_bump.loads(state).road().effort / 1e3);
@@ -231,8 +236,7 @@ fn draw(scene: &mut Scene, state: &State) {
     let [car, lower, upper, upright] = [state.car(), state.lower(), state.upper(), state.upright()];
     let at = |body: &PlanarBody<f64>, x: f64, y: f64| on(body, place(x, y));
     let (b, c, top, foot) = (at(&lower, 0.35, -0.01), at(&upper, 0.255, 0.02), at(&car, 0.15, 0.62), at(&lower, 0.25, 0.0));
-    let body = [(-0.12, 0.1), (0.03, 0.1), (0.03, 0.36), (0.09, 0.4), (0.09, 0.55), (0.2, 0.58), (0.2, 0.68), (-0.12, 0.68)];
-    scene.surface(Ink::Ground, body.map(|(x, y)| at(&car, x, y)));
+    scene.surface(Ink::Ground, BODY.map(|[x, y]| at(&car, x, y)));
     scene.surface(Ink::Second, rectangle(at(&upright, 0.11, 0.13), upright.angle, 0.18, 0.6));
     scene.link(Ink::Output, &[b, at(&upright, 0.11, 0.13), c]);
     scene.link(Ink::Coupler, &[lower.position, foot, b]).link(Ink::Coupler, &[upper.position, c]);

@@ -3,6 +3,9 @@
 use crate::plane::{Place, Rectangle, polar};
 use core::f64::consts::TAU;
 
+/// Largest number of sides by which an outline is approximated.
+const MOST_SIDES: usize = 60;
+
 /// Drawing layers, from bottom to top.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Layer {
@@ -64,6 +67,9 @@ pub(crate) enum Stroke {
     Arc(Place, f64, f64, f64),
     /// A circle seen at an angle: centre, semi-major axis as a vector, length of the semi-minor axis.
     Ellipse(Place, Place, f64),
+    /// An area fixed in a body: its outlines in the frame of the body, of which those inside others are holes if they turn the other way;
+    /// and position and rotation (rad) of the frame.
+    Rigid(Vec<Vec<Place>>, Place, f64),
     /// A cylinder: the centres of its ends, and the semi-axes of the ellipse that each end is seen as.
     Tube([Place; 2], Place, f64),
 }
@@ -158,6 +164,7 @@ impl Stroke {
             Stroke::Circle(middle, radius) => pairs(&arc(*middle, *radius, 0.0, TAU)),
             Stroke::Arc(middle, radius, from, to) => pairs(&arc(*middle, *radius, *from, *to)),
             Stroke::Ellipse(middle, major, minor) => pairs(&ellipse(*middle, *major, *minor)),
+            Stroke::Rigid(outlines, at, angle) => outlines.iter().flat_map(|corners| sides(corners, *at, *angle)).collect(),
             Stroke::Tube([from, to], major, minor) => {
                 let ends = [pairs(&ellipse(*from, *major, *minor)), pairs(&ellipse(*to, *major, *minor))].concat();
                 [ends, vec![(*from + *major, *to + *major), (*from - *major, *to - *major)]].concat()
@@ -169,6 +176,13 @@ impl Stroke {
     pub(crate) fn frame(&self) -> Rectangle {
         Rectangle::around(self.segments().into_iter().flat_map(|(a, b)| [a, b]))
     }
+}
+
+/// Sides of an outline in a frame; of one with many corners, such as a gear, a polygon of fewer.
+fn sides(corners: &[Place], at: Place, angle: f64) -> Vec<(Place, Place)> {
+    let few: Vec<Place> =
+        corners.iter().step_by(corners.len().div_ceil(MOST_SIDES).max(1)).map(|corner| at + corner.turned(angle)).collect();
+    few.iter().copied().zip(few.iter().copied().cycle().skip(1)).collect()
 }
 
 /// Points on an ellipse.

@@ -4,7 +4,7 @@
 //! A constraint without a symbol is a dashed line between its points.
 
 use crate::cams::{self, Cam, Tip};
-use crate::canvas::{Canvas, Ink, Layer, Near, Subject};
+use crate::canvas::{Canvas, Ink, Layer, Near, Stroke, Subject};
 use crate::habits::Habits;
 use crate::links::DrawnBody;
 use crate::pins::{Look, Pins};
@@ -92,6 +92,7 @@ impl Setting<'_> {
             habits: Habits::default(),
         };
         drawing.start();
+        drawing.outlines();
         drawing.wheels(wheels);
         drawing.cams(cams);
         for joint in 0..scene.joints.len() {
@@ -118,6 +119,23 @@ impl Drawing<'_> {
     fn start(&mut self) {
         for (link, body) in self.links.iter_mut().zip(&self.scene.bodies) {
             body.points.iter().for_each(|at| link.reach(self.view.at(*at)));
+        }
+    }
+
+    /// Draws the shapes of bodies.
+    fn outlines(&mut self) {
+        for (body, corners) in &self.scene.outlines {
+            let (origin, angle) =
+                body.map_or((Place::default(), 0.0), |body| (self.scene.bodies[body].origin, self.scene.bodies[body].angle));
+            let own: Vec<Place> = corners.iter().map(|at| self.view.along(*at) * self.view.scale).collect();
+            let (at, number) = (self.view.at(origin), body.unwrap_or(usize::MAX));
+            if let Some(body) = body {
+                let seen: Vec<Place> = own.iter().step_by(own.len().div_ceil(12).max(1)).map(|corner| at + corner.turned(-angle)).collect();
+                if !std::mem::replace(&mut self.links[*body].is_shown, true) && !self.links[*body].has_extent() && !seen.is_empty() {
+                    self.canvas.wish(Subject::Body, &self.scene.bodies[*body].name, Near::Area(seen));
+                }
+            }
+            self.canvas.draw(Layer::Wheel, Ink::Wheel(number), self.scene.name(*body), Stroke::Rigid(vec![own], at, -angle));
         }
     }
 
@@ -204,7 +222,7 @@ impl Drawing<'_> {
                 continue;
             }
             let arm = |x: f64, y: f64| vec![at - place(x, y) * 4.0, at + place(x, y) * 4.0];
-            self.canvas.draw(Layer::Pin, Ink::Line, name, crate::canvas::Stroke::Open(vec![arm(1.0, 1.0), arm(1.0, -1.0)]));
+            self.canvas.draw(Layer::Pin, Ink::Line, name, Stroke::Open(vec![arm(1.0, 1.0), arm(1.0, -1.0)]));
             self.canvas.wish(Subject::Output, name, Near::Point(at, 6.0));
         }
     }

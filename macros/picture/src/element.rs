@@ -46,6 +46,10 @@ fn geometry(shape: &Stroke) -> (&'static str, Vec<(&'static str, String)>) {
             let (one, two) = (pair(*middle + *major), pair(*middle - *major));
             format!("M{one}{half}{two}{half}{one}Z")
         }
+        Stroke::Rigid(outlines, at, angle) => {
+            let data = outlines.iter().map(|corners| format!("{}Z", path(corners))).collect();
+            return ("path", vec![("d", data), ("transform", format!("translate({})rotate({})", pair(*at), number(angle * 180.0 / PI)))]);
+        }
         Stroke::Tube([from, to], major, minor) => {
             let half = format!("A{} 0 {} ", radii(*major, *minor), u8::from(major.cross(*to - *from) > 0.0));
             let [one, two, three, four] = [*from + *major, *to + *major, *to - *major, *from - *major].map(pair);

@@ -1,9 +1,10 @@
 //! Drawings of wheels, racks and belts.
 
-use crate::canvas::{Canvas, Ink, Layer, Near, Subject};
+use crate::canvas::{Canvas, Ink, Layer, Near, Stroke, Subject};
 use crate::drawing::Drawing;
 use crate::habits::Guide;
 use crate::plane::{Place, polar};
+use crate::teeth::{self, FINEST, Teeth};
 use crate::wheels::{Rack, Wheel, Wheels};
 
 /// Width of the rim that an internal gear has outside its pitch circle.
@@ -39,7 +40,15 @@ impl Drawing<'_> {
         let (at, radius) = (self.view.at(wheel.middle), self.view.length(wheel.radius));
         let number = wheel.body.unwrap_or(usize::MAX);
         let name = self.scene.name(wheel.body).to_owned();
-        if wheel.is_ring {
+        let turned = wheel.body.map_or(0.0, |body| self.scene.bodies[body].angle);
+        if let Some(Teeth { count, angle }) = wheel.teeth.filter(|teeth| 2.0 * radius / teeth.count > FINEST) {
+            // Rounded, so that rounding errors do not change the outline from frame to frame.
+            let radius = (radius * 1e6).round() / 1e6;
+            let outline = teeth::outline(count, radius, wheel.is_ring);
+            let rim = wheel.is_ring.then(|| teeth::rim(radius + RIM + 2.4 * radius / count));
+            let outlines = rim.into_iter().chain([outline]).collect();
+            self.canvas.draw(Layer::Wheel, Ink::Wheel(number), &name, Stroke::Rigid(outlines, at, -(turned + angle)));
+        } else if wheel.is_ring {
             self.canvas.circle(Layer::Wheel, Ink::Of(number), &name, at, radius);
             self.canvas.circle(Layer::Wheel, Ink::Of(number), &name, at, radius + RIM);
         } else {

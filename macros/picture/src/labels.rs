@@ -109,7 +109,7 @@ fn obstacles(item: &DrawnItem) -> Vec<Obstacle> {
         _ => Vec::new(),
     };
     let mut found: Vec<Obstacle> = item.shape.segments().into_iter().chain(diagonals).map(|(a, b)| Obstacle { a, b, half, cost }).collect();
-    if let Stroke::Circle(..) = item.shape {
+    if let Stroke::Circle(..) | Stroke::Rigid(..) = item.shape {
         found.iter_mut().for_each(|part| part.cost *= 0.4);
     }
     found

@@ -66,6 +66,7 @@ mod scene;
 mod slides;
 mod space;
 mod svg;
+mod teeth;
 mod undrawable;
 mod view;
 mod wheels;

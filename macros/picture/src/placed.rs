@@ -21,6 +21,8 @@ pub(crate) struct PlacedScene {
     pub(crate) joints: Vec<Sign>,
     /// Outputs that are points of bodies: name, body, position.
     pub(crate) outputs: Vec<(String, Option<usize>, Place)>,
+    /// Shapes of bodies: corners in the frame of the body.
+    pub(crate) outlines: Vec<(Option<usize>, Vec<Place>)>,
 }
 
 /// A body.
@@ -144,12 +146,17 @@ impl PlacedScene {
         }
         let output = |(name, at): &(String, Fixed)| frames.point(at).map(|(body, at)| (name.clone(), body, at));
         let outputs = scene.outputs.iter().map(output).collect::<Result<Vec<_>, _>>()?;
-        let scene = PlacedScene { bodies, joints, outputs };
+        let outline = |(body, corners): &(String, Vec<Vector>)| {
+            frames.body(body).map(|body| (body, corners.iter().map(|at| place(at.x, at.y)).collect()))
+        };
+        let outlines = scene.outlines.iter().map(outline).collect::<Result<Vec<_>, _>>()?;
+        let scene = PlacedScene { bodies, joints, outputs, outlines };
         let is_somewhere = |at: Place| at.x.abs() <= FARTHEST && at.y.abs() <= FARTHEST;
         if scene.places().next().is_none() {
             return Err(Undrawable::Empty);
         }
-        let are_turned = scene.bodies.iter().all(|body| body.angle.is_finite());
+        let are_turned = scene.outlines.iter().flat_map(|(_, corners)| corners).all(|at| is_somewhere(*at))
+            && scene.bodies.iter().all(|body| body.angle.is_finite());
         if are_turned && scene.places().all(is_somewhere) { Ok(scene) } else { Err(Undrawable::Nowhere) }
     }
 
@@ -166,6 +173,12 @@ impl PlacedScene {
         of_bodies
             .chain(self.joints.iter().flat_map(|joint| joint.points().map(|(_, at)| at)))
             .chain(self.outputs.iter().map(|output| output.2))
+            .chain(self.outlines.iter().flat_map(|(body, corners)| corners.iter().map(|at| self.in_ground(*body, *at))))
+    }
+
+    /// Position in ground of a point of a body.
+    fn in_ground(&self, body: Option<usize>, at: Place) -> Place {
+        body.and_then(|body| self.bodies.get(body)).map_or(at, |body| body.origin + at.turned(body.angle))
     }
 
     /// Centre of rotation of a body: its hinge on `carrier`, on ground, or on any body; otherwise the origin of its frame.

@@ -23,6 +23,8 @@ pub struct Scene {
     pub(crate) points: Vec<Fixed>,
     pub(crate) joints: Vec<Joint>,
     pub(crate) outputs: Vec<(String, Fixed)>,
+    /// Shapes of bodies: corners in the frame of the body.
+    pub(crate) outlines: Vec<(String, Vec<Vector>)>,
 }
 
 /// A body with its pose.
@@ -130,7 +132,14 @@ impl Scene {
     /// An empty scene with the name of the mechanism.
     #[must_use]
     pub fn new(name: &str) -> Scene {
-        Scene { name: name.to_owned(), bodies: Vec::new(), points: Vec::new(), joints: Vec::new(), outputs: Vec::new() }
+        Scene {
+            name: name.to_owned(),
+            bodies: Vec::new(),
+            points: Vec::new(),
+            joints: Vec::new(),
+            outputs: Vec::new(),
+            outlines: Vec::new(),
+        }
     }
 
     /// Name of the mechanism.
@@ -163,6 +172,13 @@ impl Scene {
     /// Adds a point of a body that is marked as an output.
     pub fn output(&mut self, name: &str, body: &str, at: impl Into<Vector>) {
         self.outputs.push((name.to_owned(), Fixed::new(body, at)));
+    }
+
+    /// Gives a body a shape: the corners of a polygon, in its frame (m). A body may have several, ground as well.
+    ///
+    /// The shape is drawn below links and hinges, in the colour of the body: a cam, a bucket, a Geneva wheel.
+    pub fn outline(&mut self, body: &str, corners: impl IntoIterator<Item = impl Into<Vector>>) {
+        self.outlines.push((body.to_owned(), corners.into_iter().map(Into::into).collect()));
     }
 
     fn add(&mut self, joint: Joint) -> &mut Joint {

@@ -2,6 +2,7 @@
 
 use crate::placed::{PlacedScene, Sign};
 use crate::plane::{Place, Rectangle, place, polar};
+use crate::teeth::Teeth;
 
 /// A pitch circle, in m.
 #[derive(Clone, Debug)]
@@ -12,6 +13,8 @@ pub(crate) struct Wheel {
     pub(crate) radius: f64,
     /// True for an internal gear.
     pub(crate) is_ring: bool,
+    /// Teeth, where their number is known.
+    pub(crate) teeth: Option<Teeth>,
 }
 
 /// A rack, in m.
@@ -83,13 +86,17 @@ impl Wheels {
         numbers.chain(self.belts.iter().map(|belt| belt.0)).any(|number| number == joint)
     }
 
-    fn wheel(&mut self, body: Option<usize>, middle: Place, radius: f64, is_ring: bool) {
+    /// Adds a wheel unless it is known; its number.
+    fn wheel(&mut self, body: Option<usize>, middle: Place, radius: f64, is_ring: bool) -> Option<usize> {
         let is_known = |wheel: &Wheel| {
             wheel.body == body && (wheel.radius - radius).abs() < 1e-6 * radius && (wheel.middle - middle).norm() < 1e-6 * radius
         };
-        if radius > 0.0 && radius.is_finite() && !self.wheels.iter().any(is_known) {
-            self.wheels.push(Wheel { body, middle, radius, is_ring });
+        let known = self.wheels.iter().position(is_known);
+        if known.is_some() || !(radius > 0.0 && radius.is_finite()) {
+            return known;
         }
+        self.wheels.push(Wheel { body, middle, radius, is_ring, teeth: None });
+        Some(self.wheels.len() - 1)
     }
 
     fn gears(&mut self, scene: &PlacedScene, number: usize, joint: &Sign) -> Option<()> {
@@ -107,8 +114,11 @@ impl Wheels {
         } else {
             return None;
         };
-        self.wheel(i, one, a.abs() * unit, !is_external && a.abs() > b.abs());
-        self.wheel(j, two, b.abs() * unit, !is_external && b.abs() > a.abs());
+        let first = self.wheel(i, one, a.abs() * unit, !is_external && a.abs() > b.abs());
+        let second = self.wheel(j, two, b.abs() * unit, !is_external && b.abs() > a.abs());
+        if let (false, Some(first), Some(second)) = (is_length, first, second) {
+            self.mesh(scene, [first, second], [a.abs(), b.abs()]);
+        }
         let toward = (two - one).unit();
         let contact = if is_external || a.abs() > b.abs() { one + toward * (a.abs() * unit) } else { one - toward * (a.abs() * unit) };
         self.meshes.push((number, contact));
@@ -133,7 +143,13 @@ impl Wheels {
             return None;
         }
         self.wheel(sun, middle, z_sun.0.abs() * unit, false);
-        self.wheel(ring, middle, z_ring.0.abs() * unit, z_sun.0 * z_ring.0 > 0.0);
+        let ring = self.wheel(ring, middle, z_ring.0.abs() * unit, z_sun.0 * z_ring.0 > 0.0);
+        if let Some((ring, planet)) = ring.and_then(|ring| Some((ring, self.inside(ring)?)))
+            && let Some(teeth) = self.wheels[planet].teeth
+            && !z_ring.1
+        {
+            self.mesh(scene, [planet, ring], [teeth.count, z_ring.0.abs()]);
+        }
         self.meshes.push((number, middle + polar(z_ring.0.abs() * unit, core::f64::consts::FRAC_PI_4)));
         Some(())
     }

@@ -114,13 +114,27 @@ fn visibility(is_shown: &[bool], clock: &Clock) -> String {
 /// Animation of one attribute over some frames; empty if the attribute is constant.
 fn animate(attribute: &Attribute, frames: &[usize], clock: &Clock) -> String {
     let columns = attribute.steady();
-    let value = |frame: &usize| {
-        let numbers: Vec<i64> = columns.iter().filter_map(|column| column.get(*frame).copied()).collect();
-        tokens::join(&attribute.skeleton, &numbers)
-    };
+    let numbers = |frame: &usize| columns.iter().filter_map(|column| column.get(*frame).copied()).collect::<Vec<i64>>();
+    if let ("transform", [_, _, _]) = (attribute.name, columns.as_slice()) {
+        // Position and angle are interpolated separately: bodies keep their shapes between frames.
+        let part = |frame: &usize, part: std::ops::Range<usize>| {
+            numbers(frame)[part].iter().map(|number| tokens::decimal(*number)).collect::<Vec<_>>().join(" ")
+        };
+        let start = "<animateTransform attributeName=\"transform\"";
+        return timed(&format!("{start} type=\"translate\""), &|frame| part(frame, 0..2), frames, clock, true)
+            + &timed(&format!("{start} type=\"rotate\" additive=\"sum\""), &|frame| part(frame, 2..3), frames, clock, true);
+    }
+    let start = format!("<animate attributeName=\"{}\"", attribute.name);
+    timed(&start, &|frame| tokens::join(&attribute.skeleton, &numbers(frame)), frames, clock, false)
+}
+
+/// Animation that starts with `start` and takes these values; empty if they are constant, unless it is kept.
+fn timed(start: &str, value: &dyn Fn(&usize) -> String, frames: &[usize], clock: &Clock, is_kept: bool) -> String {
     let mut values: Vec<String> = frames.iter().map(value).collect();
     if values.iter().all(|value| Some(value) == values.first()) {
-        return String::new();
+        let value = values.first().map_or("", String::as_str);
+        let constant = format!("{start} values=\"{value};{value}\" dur=\"{}s\" repeatCount=\"indefinite\"/>", clock.period);
+        return if is_kept { constant } else { String::new() };
     }
     let mut times = String::new();
     if frames.len() < clock.times.len() || !clock.is_even {
@@ -136,10 +150,5 @@ fn animate(attribute: &Attribute, frames: &[usize], clock: &Clock) -> String {
         }
         times = format!(" keyTimes=\"{}\"", keys.join(";"));
     }
-    format!(
-        "<animate attributeName=\"{}\" values=\"{}\"{times} dur=\"{}s\" repeatCount=\"indefinite\"/>",
-        attribute.name,
-        values.join(";"),
-        clock.period
-    )
+    format!("{start} values=\"{}\"{times} dur=\"{}s\" repeatCount=\"indefinite\"/>", values.join(";"), clock.period)
 }

@@ -45,6 +45,16 @@ impl<S> View<S> {
         self
     }
 
+    /// Gives a body a shape in all states: the corners of a polygon in its frame (m), drawn in its colour below links and hinges.
+    ///
+    /// A cam that is defined by an equation, a bucket, the slots of a Geneva wheel; `reuleaux::picture::GROUND` is a body as well.
+    #[must_use]
+    pub fn outline<P: Point>(mut self, body: &str, corners: impl IntoIterator<Item = P>) -> View<S> {
+        let corners: Vec<Vector> = corners.into_iter().map(|corner| corner.coordinates()).collect();
+        self.recording.scenes.iter_mut().for_each(|scene| scene.outline(body, corners.iter().copied()));
+        self
+    }
+
     /// Plots a quantity in a diagram of its own. The curve has gaps where the quantity is not finite.
     #[must_use]
     pub fn plot<V: Into<f64>>(mut self, name: &str, unit: &str, of: impl Fn(&S) -> V) -> View<S> {

@@ -85,6 +85,7 @@ pub(crate) fn draw(scene: &Placed, sight: &Sight, customs: &Customs) -> Canvas {
     };
     (0..scene.joints.len()).for_each(|joint| drawing.prepare(joint));
     wheels.show(&mut drawing);
+    drawing.outlines();
     (0..scene.bodies.len()).for_each(|body| drawing.body(body));
     // Guides are drawn first: their depth decides that of joints on them.
     let is_guide = |joint: &usize| ["translational", "cylindrical", "screw", "planar"].contains(&scene.joints[*joint].kind.as_str());
@@ -221,6 +222,18 @@ impl<'a> Drawing<'a> {
         }
         let beside = || if segments.is_empty() { Near::Point(self.sight.at(at), 13.0) } else { Near::Segments(segments) };
         self.canvas.wish(Subject::Body, &name, near.unwrap_or_else(beside));
+    }
+
+    /// Draws the shapes of bodies.
+    fn outlines(&mut self) {
+        for (body, corners) in &self.scene.outlines {
+            let mut pen = self.pen(self.scene.name(*body));
+            pen.area(Layer::Wheel, Ink::Wheel(body.unwrap_or(usize::MAX)), corners);
+            self.put(self.sight.depth(Vec3::middle(corners)), pen);
+            if let Some(body) = body {
+                self.shapes[*body].is_shown = true;
+            }
+        }
     }
 
     fn outputs(&mut self) {

@@ -13,6 +13,8 @@ pub(crate) struct Placed {
     pub(crate) joints: Vec<Sign>,
     /// Outputs that are points of bodies.
     pub(crate) outputs: Vec<(String, Vec3)>,
+    /// Shapes of bodies: their corners.
+    pub(crate) outlines: Vec<(Option<usize>, Vec<Vec3>)>,
     /// Picture units per metre; 1 while lengths are in m.
     pub(crate) scale: f64,
 }
@@ -124,7 +126,12 @@ impl Placed {
         }
         let output = |(name, fixed): &(String, Fixed)| frames.point(fixed).map(|of| (name.clone(), of.at));
         let outputs = scene.outputs.iter().map(output).collect::<Result<Vec<_>, _>>()?;
-        let placed = Placed { bodies, joints, outputs, scale: 1.0 };
+        let outline = |(body, corners): &(String, Vec<Vector>)| {
+            let corner = |at: &Vector| frames.point(&Fixed { body: body.clone(), at: *at }).map(|of| of.at);
+            Ok((frames.body(body)?, corners.iter().map(corner).collect::<Result<Vec<_>, _>>()?))
+        };
+        let outlines = scene.outlines.iter().map(outline).collect::<Result<Vec<_>, Undrawable>>()?;
+        let placed = Placed { bodies, joints, outputs, outlines, scale: 1.0 };
         if placed.places().next().is_none() {
             return Err(Undrawable::Empty);
         }
@@ -139,7 +146,8 @@ impl Placed {
     pub(crate) fn places(&self) -> impl Iterator<Item = Vec3> {
         let of_bodies = self.bodies.iter().flat_map(|body| if body.points.is_empty() { vec![body.origin] } else { body.points.clone() });
         let of_joints = self.joints.iter().flat_map(|joint| joint.given.points()).map(|of| of.at);
-        of_bodies.chain(of_joints).chain(self.outputs.iter().map(|output| output.1))
+        let of_outlines = self.outlines.iter().flat_map(|(_, corners)| corners.iter().copied());
+        of_bodies.chain(of_joints).chain(self.outputs.iter().map(|output| output.1)).chain(of_outlines)
     }
 
     /// A copy with every point mapped by `change`; `scale` is the length of a metre in the result.
@@ -151,6 +159,7 @@ impl Placed {
         }
         seen.joints.iter_mut().for_each(|joint| joint.given.seen(&change));
         seen.outputs.iter_mut().for_each(|output| output.1 = change(output.1));
+        seen.outlines.iter_mut().flat_map(|(_, corners)| corners).for_each(|at| *at = change(*at));
         seen
     }
 
