@@ -24,7 +24,7 @@ use std::f64::consts::{PI, TAU};
 use reuleaux::nalgebra::Vector3;
 use reuleaux::picture::Drawable;
 use reuleaux::{SpatialBody, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, bevel, largest_difference, seen, show, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, bevel, crown, largest_difference, seen, show, steps};
 
 mechanism! {
     /// A differential with constant cage speed, while the car drives into a bend, through it, and out.
@@ -77,6 +77,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let bend: Vec<State> = slow.sweep(steps(0.0, 2.0, 120)).collect::<Result<_, _>>()?;
     let view = slow
         .view(bend)
+        .outline("left", crown(Vector3::y() * RADII[0], RADII[1], 16))
+        .outline("right", crown(-Vector3::y() * RADII[0], RADII[1], 16))
+        .outline("planet", crown(Vector3::x() * RADII[1], RADII[0], 10))
         .plot("cage", "rpm", |state| slow.cage(state).rate * 60.0 / TAU)
         .and("left", |state| slow.left(state).rate * 60.0 / TAU)
         .and("right", |state| slow.right(state).rate * 60.0 / TAU)

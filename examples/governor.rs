@@ -87,6 +87,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let states: Vec<State> = governor.sweep(steps(0.0, 2.0, 240), Integrator::new(1e-9)).collect::<Result<_, _>>()?;
     let view = governor
         .view(states)
+        .trace("path of a ball", |state| governor.left(state).value)
         .plot("height", "mm", |state| -500.0 * state.sleeve().position.z)
         .and("(1 + M/m) g/ω²", |_| height(&governor) * 1e3);
     show("governor", &view)?;

@@ -21,7 +21,7 @@ const SIDE: f64 = 0.6;
 /// Angle of view above the horizon (rad).
 const HEIGHT: f64 = 0.42;
 /// Size of a moving picture in the gallery, in bytes.
-const SIZE: usize = 40_000;
+const SIZE: usize = 30_000;
 
 /// Writes a moving picture: the page with its plots beside the running program, and the drawing alone as `gallery/moving/<name>.svg`.
 ///
@@ -99,6 +99,17 @@ pub fn gauss(from: f64, to: f64) -> [(f64, f64); 5] {
     let [heavy, light] = [322.0 + part, 322.0 - part].map(|weight| weight / 900.0);
     [(-outer, light), (-inner, heavy), (0.0, 128.0 / 225.0), (inner, heavy), (outer, light)]
         .map(|(at, weight)| (middle + half * at, half * weight))
+}
+
+/// Rim of a bevel gear with its teeth, `back` (m) from the common apex in the frame of its body.
+pub fn crown(back: Vector3<f64>, radius: f64, teeth: u32) -> Vec<Vector3<f64>> {
+    let other = back.abs().normalize().cross(&Vector3::z());
+    let corner = |step: u32| {
+        let angle = TAU * f64::from(step) / f64::from(2 * teeth);
+        let at = radius * if step.is_multiple_of(2) { 1.07 } else { 0.93 };
+        back + (other * angle.cos() + Vector3::z() * angle.sin()) * at
+    };
+    (0..2 * teeth).map(corner).collect()
 }
 
 /// A bevel gear as its pitch cone: the circle at its back, `back` (m) from the common apex in its frame, and lines towards the apex.

@@ -26,7 +26,7 @@ use std::f64::consts::TAU;
 use reuleaux::nalgebra::{Matrix2, Vector2, Vector3};
 use reuleaux::picture::Drawable;
 use reuleaux::{Integrator, SpatialBody, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, bevel, gauss, ring, seen, show, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, bevel, crown, gauss, ring, seen, show, steps};
 
 mechanism! {
     /// A differential between two wheels with resistance proportional to speed.
@@ -82,6 +82,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let begin: Vec<State> = m.sweep(steps(0.0, 0.5, 120), Integrator::new(1e-11)).collect::<Result<_, _>>()?;
     let view = m
         .view(begin)
+        .outline("left", crown(Vector3::y() * RADII[0], RADII[1], 16))
+        .outline("right", crown(-Vector3::y() * RADII[0], RADII[1], 16))
+        .outline("planet", crown(Vector3::x() * RADII[1], RADII[0], 10))
         .plot("left, on asphalt", "rpm", |state| found(state)[0][0] * 60.0 / TAU)
         .and("right, on ice", |state| found(state)[0][1] * 60.0 / TAU)
         .and("closed form", |state| speeds(&m, state.t).y * 60.0 / TAU)

@@ -121,6 +121,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .view(bumped.into_iter().step_by(2))
         .outline("car", BODY.map(|[x, y]| place(x, y)))
         .outline("upright", rectangle(place(0.11, 0.13), 0.0, 0.18, 0.6))
+        .spring("spring", ("car", place(0.15, 0.62)), ("lower", place(0.25, 0.0)))
         .plot("road", "mm", |state| on(&state.upright(), place(0.11, -0.17)).y * 1e3)
         .and("car", |state| state.car().position.y * 1e3)
         .plot("wheel load", "kN", |state| on_bump.loads(state).road().effort / 1e3);

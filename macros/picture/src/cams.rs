@@ -1,6 +1,6 @@
 //! Disc cams and their followers, with the cam outline computed from the profile function.
 
-use crate::canvas::{Ink, Layer, Near, Subject};
+use crate::canvas::{Ink, Layer, Near, Stroke, Subject};
 use crate::drawing::Drawing;
 use crate::placed::{PlacedScene, Sign};
 use crate::plane::{Place, Rectangle, polar};
@@ -24,6 +24,10 @@ pub(crate) struct Cam {
     body: Option<usize>,
     pub(crate) middle: Place,
     pub(crate) outline: Vec<Place>,
+    /// The outline in the frame of the cam, about its centre.
+    shape: Vec<Place>,
+    /// Angle of the cam (rad).
+    turned: f64,
     /// True if the profile is a Rust function, whose values the compiler does not know.
     is_unknown: bool,
     pub(crate) follower: Option<usize>,
@@ -51,11 +55,12 @@ fn cam(scene: &PlacedScene, number: usize, joint: &Sign) -> Option<Cam> {
     };
     let turned = body.map_or(0.0, |body| scene.bodies[body].angle);
     let known = joint.function(law);
-    let outline = match known {
-        Some(values) => outline(values, middle, turned, tip),
-        None => (0..STEPS).map(|step| middle + polar((at - middle).norm() - radius(tip), angle(step))).collect(),
+    let shape = match known {
+        Some(values) => outline(values, tip),
+        None => (0..STEPS).map(|step| polar((at - middle).norm() - radius(tip), angle(step))).collect(),
     };
-    Some(Cam { joint: number, body, middle, outline, is_unknown: known.is_none(), follower, at, tip })
+    let outline = shape.iter().map(|at| middle + at.turned(turned)).collect();
+    Some(Cam { joint: number, body, middle, outline, shape, turned, is_unknown: known.is_none(), follower, at, tip })
 }
 
 fn radius(tip: Tip) -> f64 {
@@ -66,26 +71,25 @@ fn angle(step: usize) -> f64 {
     step as f64 * TAU / STEPS as f64
 }
 
-/// Outline of a cam rotated by `turned` (rad), from its law sampled over one revolution.
-fn outline(values: &[f64], middle: Place, turned: f64, tip: Tip) -> Vec<Place> {
+/// Outline of a cam about its centre, from its law sampled over one revolution.
+fn outline(values: &[f64], tip: Tip) -> Vec<Place> {
     let slope = |step: usize| {
         let (before, after) = (values[(step + STEPS - 1) % STEPS], values[(step + 1) % STEPS]);
         (after - before) / (2.0 * TAU / STEPS as f64)
     };
     let at = |step: usize| {
-        let (value, direction) = (values[step], polar(1.0, angle(step) + turned));
-        middle
-            + match tip {
-                Tip::Knife => direction * value,
-                // The surface is offset from the pitch curve by the roller radius, along the inward normal.
-                Tip::Roller(radius) => {
-                    let pitch = direction * (value + radius);
-                    let tangent = direction * slope(step) + direction.perp() * (value + radius);
-                    pitch + tangent.unit().perp() * radius
-                }
-                // The face is tangent to the cam at distance h from its centre; the contact point is offset by h' along the face.
-                Tip::Flat(_) => direction * value + direction.perp() * slope(step),
+        let (value, direction) = (values[step], polar(1.0, angle(step)));
+        match tip {
+            Tip::Knife => direction * value,
+            // The surface is offset from the pitch curve by the roller radius, along the inward normal.
+            Tip::Roller(radius) => {
+                let pitch = direction * (value + radius);
+                let tangent = direction * slope(step) + direction.perp() * (value + radius);
+                pitch + tangent.unit().perp() * radius
             }
+            // The face is tangent to the cam at distance h from its centre; the contact point is offset by h' along the face.
+            Tip::Flat(_) => direction * value + direction.perp() * slope(step),
+        }
     };
     (0..STEPS).map(at).collect()
 }
@@ -106,7 +110,8 @@ impl Drawing<'_> {
         if cam.is_unknown {
             self.canvas.circle(Layer::Wheel, Ink::Dashed, self.scene.name(cam.body), middle, reach);
         } else {
-            self.canvas.area(Layer::Wheel, Ink::Wheel(number), self.scene.name(cam.body), &outline);
+            let shape = cam.shape.iter().map(|at| self.view.along(*at) * self.view.scale).collect();
+            self.canvas.draw(Layer::Wheel, Ink::Wheel(number), self.scene.name(cam.body), Stroke::Rigid(vec![shape], middle, -cam.turned));
         }
         if let Some(body) = cam.body
             && !std::mem::replace(&mut self.links[body].is_shown, true)

@@ -79,7 +79,7 @@ impl Drawing<'_> {
         let bar = [back + along * (middle - reach), back + along * (middle + reach)];
         self.canvas.line(Layer::DrawnBody, Ink::Bar(number), self.scene.name(rack.body), &bar);
         let beside = back + along * (held - back).dot(along);
-        if (held - beside).norm() > 4.0 {
+        if rack.body.is_some() && (held - beside).norm() > 4.0 {
             self.canvas.line(Layer::DrawnBody, Ink::Bar(number), self.scene.name(rack.body), &[held, beside]);
         }
         let teeth = (reach / 4.0).floor().max(2.0) as i32;

@@ -225,7 +225,8 @@ fn on_white(svg: &str, is_in_space: bool) -> String {
 
 fn captions(scene: &Scene) -> [String; 2] {
     let (bodies, drives) = (scene.bodies.len(), scene.joints.iter().filter(|joint| joint.is_drive).count());
-    let joints = scene.joints.len() - drives;
+    let forces = scene.joints.iter().filter(|joint| ["spring", "damper"].contains(&joint.kind.as_str())).count();
+    let joints = scene.joints.len() - drives - forces;
     let description =
         format!("{}, {}, {}.", counted(bodies, "body", "bodies"), counted(joints, "joint", "joints"), counted(drives, "drive", "drives"));
     [format!("{}, assembled", scene.name), description]

@@ -176,6 +176,13 @@ impl PlacedScene {
             .chain(self.outlines.iter().flat_map(|(body, corners)| corners.iter().map(|at| self.in_ground(*body, *at))))
     }
 
+    /// True if a hinge joins two bodies.
+    pub(crate) fn is_hinged(&self, one: Option<usize>, two: Option<usize>) -> bool {
+        let hinges = self.joints.iter().filter(|joint| joint.kind == "revolute" && one != two);
+        let mut ends = hinges.filter_map(|joint| Some([joint.point("P")?.0, joint.point("Q")?.0]));
+        ends.any(|ends| ends == [one, two] || ends == [two, one])
+    }
+
     /// Position in ground of a point of a body.
     fn in_ground(&self, body: Option<usize>, at: Place) -> Place {
         body.and_then(|body| self.bodies.get(body)).map_or(at, |body| body.origin + at.turned(body.angle))

@@ -1,6 +1,6 @@
 //! Blocks on guides, pins in slots, rods and cylinders.
 
-use crate::canvas::{Ink, Layer, Near, Subject};
+use crate::canvas::{Ink, Layer, Near, Stroke, Subject};
 use crate::drawing::{Drawing, Track};
 use crate::habits::Guide;
 use crate::pins::{Look, RADIUS, ground};
@@ -94,6 +94,37 @@ impl Drawing<'_> {
         self.canvas.line(Layer::Rod, Ink::Line, &title, &[p, q]);
         self.pins.join(p, Look::Hinge, i.is_none(), "", "");
         self.pins.join(q, Look::Hinge, j.is_none(), "", "");
+        self.canvas.wish(Subject::Joint, &name, Near::Segments(vec![(p, q)]));
+    }
+
+    /// A spring between two points: a coil of straight turns, with the same number of turns at any length.
+    pub(crate) fn spring(&mut self, joint: usize, (i, p): (Option<usize>, Place), (j, q): (Option<usize>, Place)) {
+        let (p, q) = (self.view.at(p), self.view.at(q));
+        let side = (q - p).unit().perp() * 7.0;
+        let turn = |step: i32| {
+            let across = if step % 2 == 0 { side } else { -side };
+            p + (q - p) * (0.15 + 0.7 * (f64::from(step) + 0.5) / 12.0) + across
+        };
+        let ends = [p, p + (q - p) * 0.15, q - (q - p) * 0.15, q];
+        let coil: Vec<Place> = ends[..2].iter().copied().chain((0..12).map(turn)).chain(ends[2..].iter().copied()).collect();
+        self.force_between(joint, [p, q], [i.is_none(), j.is_none()], &[coil]);
+    }
+
+    /// A damper between two points: a pot, and a piston on a rod.
+    pub(crate) fn damper(&mut self, joint: usize, (i, p): (Option<usize>, Place), (j, q): (Option<usize>, Place)) {
+        let (p, q) = (self.view.at(p), self.view.at(q));
+        let at = |part: f64, across: f64| p + (q - p) * part + (q - p).unit().perp() * across;
+        let pot = vec![at(0.6, 8.0), at(0.3, 8.0), at(0.3, -8.0), at(0.6, -8.0)];
+        let (foot, piston) = (vec![p, at(0.3, 0.0)], vec![at(0.5, 6.0), at(0.5, -6.0)]);
+        self.force_between(joint, [p, q], [i.is_none(), j.is_none()], &[foot, pot, piston, vec![at(0.5, 0.0), q]]);
+    }
+
+    fn force_between(&mut self, joint: usize, [p, q]: [Place; 2], is_on_ground: [bool; 2], lines: &[Vec<Place>]) {
+        let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
+        self.canvas.draw(Layer::Rod, Ink::Line, &title, Stroke::Open(lines.to_vec()));
+        for (at, is_on_ground) in [p, q].into_iter().zip(is_on_ground) {
+            self.pins.join(at, Look::Hinge, is_on_ground, "", "");
+        }
         self.canvas.wish(Subject::Joint, &name, Near::Segments(vec![(p, q)]));
     }
 

@@ -56,6 +56,89 @@ fn gears_touch_by_their_ratio() {
     assert_eq!(mesh(-60.0), [0.05, 0.15]);
 }
 
+/// Distances (rad, in pitches) between the teeth of two wheels where they touch: 1/2 if a tooth is in the middle of a space.
+fn apart(wheels: &Wheels, scene: &PlacedScene, [one, two]: [usize; 2], at: Place) -> f64 {
+    let offset = |wheel: usize| {
+        let wheel = &wheels.wheels[wheel];
+        let teeth = wheel.teeth.expect("it has teeth");
+        let turned = wheel.body.map_or(0.0, |body| scene.bodies[body].angle);
+        let pitches = ((at - wheel.middle).angle() - turned - teeth.angle) * teeth.count / core::f64::consts::TAU;
+        // Spaces of an internal gear are half a pitch beside its teeth; its rim passes the contact in the same direction.
+        if wheel.is_ring { 0.5 - pitches } else { pitches }
+    };
+    let sum = offset(one) + offset(two);
+    sum - sum.floor()
+}
+
+#[test]
+fn a_tooth_is_in_a_space() {
+    for (teeth, side) in [(60.0, -1.0), (17.0, -1.0), (-60.0, 1.0)] {
+        for turn in [0.0, 0.3, -2.0, 40.0] {
+            let mut scene = two_wheels();
+            scene.bodies[0].pose = Pose::plane(0.0, 0.0, turn);
+            scene.bodies[1].pose = Pose::plane(0.1, 0.0, side * turn * 20.0 / f64::abs(teeth));
+            scene.joint("mesh", "gear_pair").body("i", "one").body("j", "two").number("a", 20.0).number("b", teeth);
+            let placed = placed(&scene);
+            let wheels = Wheels::of(&placed);
+            let off = apart(&wheels, &placed, [0, 1], wheels.meshes[0].1);
+            assert!((off - 0.5).abs() < 1e-9, "{off} of a pitch for {teeth} teeth at {turn}");
+            // The teeth stand still in their bodies.
+            let known = wheels.wheels[1].teeth.expect("teeth").angle;
+            assert!((-1e-9..0.4).contains(&known), "{known}");
+        }
+    }
+}
+
+#[test]
+fn lengths_are_no_numbers_of_teeth() {
+    let mut scene = two_wheels();
+    scene.joint("mesh", "gear_pair").body("i", "one").body("j", "two").length("a", 20.0).length("b", 60.0);
+    assert!(Wheels::of(&placed(&scene)).wheels.iter().all(|wheel| wheel.teeth.is_none()));
+}
+
+#[test]
+fn shapes_of_bodies_are_in_the_picture_and_turn_with_them() {
+    let mut scene = engine(0.5);
+    scene.outline("piston", [[-0.04, -0.03], [0.04, -0.03], [0.04, 0.5], [-0.04, 0.5]]);
+    let film = Film::of(&[scene.clone()], &[]).expect("it is drawn");
+    let shape = film.marks(0).into_iter().find(|mark| mark.geometry.iter().any(|(name, _)| *name == "transform"));
+    let [left, top, width, height] = film.frame();
+    let corner = film.at([scene.bodies[2].pose.position.x, 0.5]);
+    assert!((left..left + width).contains(&corner[0]) && (top..top + height).contains(&corner[1]));
+    assert_eq!(shape.expect("a shape").title, "piston");
+    scene.outline("pistol", [[0.0, 0.0]]);
+    assert_eq!(scene.draw().map(|_| ()), Err(Undrawable::UnknownBody("pistol".into())));
+    let mut door = Scene::new("Door");
+    door.body("leaf", Pose::space([0.0, 0.0, 0.0], [[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]]));
+    door.outline("leaf", [[0.0, 0.0, 0.0], [0.9, 0.0, 0.0], [0.9, 0.0, 2.0], [0.0, 0.0, 2.0]]);
+    assert!(door.draw().expect("it is drawn").svg().contains("class=\"w c0\""));
+}
+
+#[test]
+fn springs_and_dampers_are_forces() {
+    let mut scene = engine(0.5);
+    let before = scene.draw().expect("it is drawn").svg().lines().nth(2).map(str::to_owned);
+    for kind in ["spring", "damper"] {
+        scene.joint(kind, kind).of(&["piston"]).point("P", GROUND, [0.4, 0.0]).point("Q", "piston", [0.0, 0.0]);
+    }
+    let svg = scene.svg();
+    assert_eq!(svg.lines().nth(2).map(str::to_owned), before, "joints are counted without them");
+    assert!(svg.contains("<title>spring: spring of ") && svg.contains("<title>damper: damper of "), "{svg}");
+    assert!(!svg.contains("class=\"d\""));
+}
+
+#[test]
+fn a_wheel_rolls_on_its_rail() {
+    let mut scene = Scene::new("Car");
+    scene.body("car", Pose::plane(2.0, 0.7, 0.0));
+    scene.body("wheel", Pose::plane(2.0, 0.7, -2.0 / 0.7));
+    scene.joint("axle", "revolute").point("P", "car", [0.0, 0.0]).point("Q", "wheel", [0.0, 0.0]);
+    let rolling = scene.joint("rolling", "rack_pinion").body("pinion", "wheel").point("rack", "car", [0.0, 0.0]);
+    rolling.axis("u", GROUND, [1.0, 0.0]).point("O", GROUND, [0.0, 0.7]).length("R", 0.7);
+    let rail = Wheels::of(&placed(&scene)).racks.remove(0).1;
+    assert_eq!((rail.body, rail.contact), (None, place(2.0, 0.0)));
+}
+
 #[test]
 fn pulleys_keep_their_own_radii() {
     let mut scene = two_wheels();

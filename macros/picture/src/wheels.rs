@@ -158,12 +158,27 @@ impl Wheels {
         let (pinion, (body, held)) = (joint.body("pinion")?, joint.point("rack")?);
         let ((carrier, along), (radius, _)) = (joint.axis("u")?, joint.number("R")?);
         let middle = scene.centre(pinion, carrier);
+        if scene.is_hinged(pinion, body) {
+            return self.rail(scene, number, joint, middle);
+        }
         // Point of the pinion's rim that moves with the rack.
         let contact = middle + along.perp() * radius;
         let overhang = 0.3 * radius.abs();
         let reach = ((held - contact).dot(along).abs() + overhang).max(1.3 * radius.abs());
         self.wheel(pinion, middle, radius.abs(), false);
         self.racks.push((number, Rack { body, contact, along, toward: (middle - contact).unit(), held, reach, overhang }));
+        Some(())
+    }
+
+    /// A pinion on the body that moves along the line is a wheel that rolls on a rail.
+    fn rail(&mut self, scene: &PlacedScene, number: usize, joint: &Sign, middle: Place) -> Option<()> {
+        let ((carrier, along), (radius, _)) = (joint.axis("u")?, joint.number("R")?);
+        let contact = middle - along.perp() * radius;
+        let held = carrier.and_then(|carrier| scene.bodies.get(carrier)).map_or(Place::default(), |carrier| carrier.origin);
+        let overhang = 1.3 * radius.abs();
+        self.wheel(joint.body("pinion")?, middle, radius.abs(), false);
+        let rail = Rack { body: carrier, contact, along, toward: (middle - contact).unit(), held, reach: overhang, overhang };
+        self.racks.push((number, rail));
         Some(())
     }
 

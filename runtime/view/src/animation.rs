@@ -87,8 +87,9 @@ fn moving(slot: &Slot, clock: &Clock, drawn: &Drawn) -> String {
         mark += &visibility(&slot.is_shown, clock);
     }
     mark += &still::contents(element);
-    // After its last frame an element moves on towards its position in the next one.
-    let frames: Vec<usize> = (first..=(last + 1).min(count.saturating_sub(1))).collect();
+    // After a frame an element moves on towards its position in the next one.
+    let is_needed = |frame: &usize| shown(frame) || *frame > first && shown(&(*frame - 1));
+    let frames: Vec<usize> = (first..=(last + 1).min(count.saturating_sub(1))).filter(is_needed).collect();
     for attribute in element.attributes.iter().filter(|attribute| attribute.moves()) {
         mark += &animate(attribute, &frames, clock);
     }

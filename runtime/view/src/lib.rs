@@ -5,6 +5,7 @@
 //!   time. Keys: space, arrows, home and end, plus and minus. The layout follows dark mode and the width of the window; printed pages
 //!   omit the controls.
 //! * [`View::animated_svg`]: the drawing alone as one animated SVG without scripts, for a README.
+//! * [`View::still`]: one state, with other states pale below it, as the plate of a textbook.
 //! * [`View::svg_frames`], and `View::png_frames` with the feature `png`: a file for each state.
 //!
 //! Mechanisms of `reuleaux` make a view by `mechanism.view(states)`, a method of the trait `Drawable`; this crate depends on scenes only,
@@ -32,6 +33,8 @@
 //! # Ok::<(), reuleaux_view::Unviewable>(())
 //! ```
 //!
+//! Bodies are drawn by their points and joints; [`View::outline`] gives them shapes, [`View::spring`] and [`View::damper`] add these symbols.
+//!
 //! Only the given states are shown, without interpolation, all in one view. A smooth animation needs 60 states for each second of playing
 //! time.
 //!
@@ -42,9 +45,9 @@
 //! ```
 //!
 //! Marks of one kind in different frames are one element: its texts are stored once, and its numbers, in tenths of a picture unit, are
-//! columns. Columns are stored as differences in base 64, mostly one letter for each frame, and equal columns once. Each frame refers to
-//! a list of its elements in paint order, for elements that appear, vanish, or pass in front of each other. The format is the same in the
-//! plane and in space, and independent of symbols.
+//! columns. Shapes that are fixed in a body are written once, with columns for position and angle. Columns are stored as differences in base
+//! 64, mostly one letter for each frame, and equal columns once. Each frame refers to a list of its elements in paint order, for elements
+//! that appear, vanish, or pass in front of each other. The format is the same in the plane and in space, and independent of symbols.
 //!
 //! # Sizes and times
 //!

@@ -69,6 +69,11 @@ impl Recording {
     /// Draws all states.
     pub(crate) fn drawn(&self) -> Result<Drawn, Unviewable> {
         self.check()?;
+        self.drawing()
+    }
+
+    /// Draws the states in any order.
+    pub(crate) fn drawing(&self) -> Result<Drawn, Unviewable> {
         let places: Vec<Vector> = self.traces.iter().flat_map(|trace| trace.places.iter().copied()).collect();
         let film = Film::of(&self.scenes, &places)?;
         let template = Template::of(&film);
@@ -109,10 +114,15 @@ impl Recording {
             return self.clone();
         }
         let chosen: Vec<usize> = (0..most).map(|number| (number * (count - 1) + (most - 1) / 2) / (most - 1)).collect();
+        self.chosen(&chosen)
+    }
+
+    /// A copy with these states, without plots.
+    pub(crate) fn chosen(&self, chosen: &[usize]) -> Recording {
         Recording {
             title: self.title.clone(),
-            scenes: pick(&chosen, &self.scenes),
-            abscissa: Abscissa { values: pick(&chosen, &self.abscissa.values), ..self.abscissa.clone() },
+            scenes: pick(chosen, &self.scenes),
+            abscissa: Abscissa { values: pick(chosen, &self.abscissa.values), ..self.abscissa.clone() },
             lasting: self.lasting,
             traces: self.traces.clone(),
             plots: Vec::new(),

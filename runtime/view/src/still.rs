@@ -32,7 +32,20 @@ impl Names<'_> {
 
 /// A frame as a file of its own, on white, in colours that any program understands.
 pub(crate) fn svg(recording: &Recording, drawn: &Drawn, frame: usize) -> String {
-    let mut page = head(recording, drawn, "");
+    phases(recording, drawn, frame, &[])
+}
+
+/// Bodies are drawn pale in the other phases.
+const PALE: &str = ".reuleaux .pale{opacity:.22}";
+
+/// A frame as a file of its own, above the bodies of other frames.
+pub(crate) fn phases(recording: &Recording, drawn: &Drawn, frame: usize, others: &[usize]) -> String {
+    let mut page = head(recording, drawn, if others.is_empty() { "" } else { PALE });
+    for other in others {
+        page += "<g class=\"pale\">\n";
+        drawn.template.painted(*other).filter(|element| is_body(element)).for_each(|element| page += &mark(element, *other));
+        page += "</g>\n";
+    }
     page += &traces(drawn);
     for element in drawn.template.painted(frame) {
         page += &mark(element, frame);
@@ -40,6 +53,12 @@ pub(crate) fn svg(recording: &Recording, drawn: &Drawn, frame: usize) -> String 
     let resolved = page.replace("var(--main-color,#1c1c1c)", "#1c1c1c").replace("var(--main-background-color,#fff)", "#fff");
     let resolved = resolved.replace("var(--ink)", "#1c1c1c").replace("var(--paper)", "#fff");
     format!("{resolved}{}</svg>\n", drawn.film.foot())
+}
+
+/// True for the shapes of bodies: bars, plates, blocks, wheels, forks.
+fn is_body(element: &Element) -> bool {
+    let class = element.class.split(' ').collect::<Vec<_>>();
+    matches!(class.as_slice(), ["b" | "q" | "k" | "w" | "o" | "f", colour] if *colour != "g")
 }
 
 /// The opening of the SVG element: size, title, style sheet, and the white background.

@@ -6,6 +6,7 @@ use reuleaux_picture::{Film, GROUND, Mark, Pose, Scene};
 
 use crate::columns::{Columns, encode};
 use crate::recording::Recording;
+use crate::slots::slots;
 use crate::template::Template;
 use crate::tokens::{Meaning, decimal, join, split};
 use crate::{Unviewable, View, json};
@@ -204,6 +205,50 @@ fn an_animation_moves_without_scripts() -> Result<(), Unviewable> {
         }
         assert_eq!(svg, view.animated_svg()?);
     }
+    Ok(())
+}
+
+#[test]
+fn an_animation_fits_its_size() -> Result<(), Unviewable> {
+    let (whole, small) = (view(240).animated_svg()?, view(240).animated_svg_within(14_000)?);
+    assert!(small.len() <= 14_000 && whole.len() > 14_000, "{} and {}", small.len(), whole.len());
+    assert_eq!(view(240).animated_svg_within(whole.len())?, whole);
+    Ok(())
+}
+
+#[test]
+fn common_orders_contain_the_order_of_each_frame() -> Result<(), Unviewable> {
+    let scenes: Vec<Scene> = turn(90).into_iter().map(scissors).collect();
+    let template = Template::of(&Film::of(&scenes, &[])?);
+    assert!(template.orders.len() > 2);
+    let slots = slots(&template);
+    for (frame, order) in template.order.iter().enumerate() {
+        let shown: Vec<usize> = slots.iter().filter(|slot| slot.is_shown[frame]).map(|slot| slot.element).collect();
+        assert_eq!(shown, template.orders[*order]);
+    }
+    let written = template.orders.iter().map(Vec::len).sum::<usize>();
+    assert!(slots.len() < written / 2, "{} places for {written}", slots.len());
+    Ok(())
+}
+
+#[test]
+fn rigid_shapes_turn_between_frames() -> Result<(), Unviewable> {
+    let svg = view(60).outline("crank", [[0.0, -0.01], [0.05, -0.01], [0.05, 0.01], [0.0, 0.01]]).animated_svg()?;
+    let tree = roxmltree::Document::parse(&svg).expect("XML");
+    let kinds: Vec<_> =
+        tree.descendants().filter(|node| node.tag_name().name() == "animateTransform").filter_map(|node| node.attribute("type")).collect();
+    assert_eq!(kinds, ["translate", "rotate"]);
+    Ok(())
+}
+
+#[test]
+fn a_still_has_pale_phases_below() -> Result<(), Unviewable> {
+    let view = view(60);
+    let svg = view.still(7, &[20, 40, 1000])?;
+    let (pale, trace) = (svg.rfind("class=\"pale\"").expect("pale"), svg.find("class=\"trace\"").expect("a trace"));
+    assert!(pale < trace && svg.matches("class=\"pale\"").count() == 3);
+    let labels = |svg: &str| svg.matches("<text").count();
+    assert_eq!(labels(&svg), labels(&view.still(7, &[])?), "phases have no names");
     Ok(())
 }
 

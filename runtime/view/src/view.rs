@@ -126,6 +126,41 @@ impl<S> View<S> {
         animation::animated_svg(&self.recording, size)
     }
 
+    /// The drawing of one state, with the traces, above the bodies of other states, which are pale: the plate of a textbook.
+    ///
+    /// States are counted from 0. A number without a state stands for the last one.
+    ///
+    /// # Errors
+    /// The reason why the states cannot be shown.
+    pub fn still(&self, state: usize, others: &[usize]) -> Result<String, Unviewable> {
+        let last = self.states.len().saturating_sub(1);
+        let others: Vec<usize> = others.iter().map(|other| *other.min(&last)).collect();
+        let chosen: Vec<usize> = [state.min(last)].into_iter().chain(others).collect();
+        let few = self.recording.chosen(&chosen);
+        let places: Vec<usize> = (1..chosen.len()).collect();
+        Ok(still::phases(&few, &few.drawing()?, 0, &places))
+    }
+
+    /// Gives all states a spring between two points, each with its body and its position in the frame of the body (m).
+    #[must_use]
+    pub fn spring<P: Point>(self, name: &str, from: (&str, P), to: (&str, P)) -> View<S> {
+        self.between(name, "spring", from, to)
+    }
+
+    /// Gives all states a damper between two points, each with its body and its position in the frame of the body (m).
+    #[must_use]
+    pub fn damper<P: Point>(self, name: &str, from: (&str, P), to: (&str, P)) -> View<S> {
+        self.between(name, "damper", from, to)
+    }
+
+    fn between<P: Point>(mut self, name: &str, kind: &str, from: (&str, P), to: (&str, P)) -> View<S> {
+        let [p, q] = [from.1, to.1].map(|at| at.coordinates());
+        for scene in &mut self.recording.scenes {
+            scene.joint(name, kind).of(&[from.0, to.0]).point("P", from.0, p).point("Q", to.0, q);
+        }
+        self
+    }
+
     /// Writes the drawing of every state into a folder, which is created if necessary: `0000.svg`, `0001.svg`, …, all of one size.
     ///
     /// # Errors
