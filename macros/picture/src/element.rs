@@ -47,7 +47,7 @@ fn geometry(shape: &Stroke) -> (&'static str, Vec<(&'static str, String)>) {
             format!("M{one}{half}{two}{half}{one}Z")
         }
         Stroke::Rigid(outlines, at, angle) => {
-            let data = outlines.iter().map(|corners| format!("{}Z", path(corners))).collect();
+            let data = outlines.iter().map(|corners| closed(corners)).collect();
             return ("path", vec![("d", data), ("transform", format!("translate({})rotate({})", pair(*at), number(angle * 180.0 / PI)))]);
         }
         Stroke::Tube([from, to], major, minor) => {
@@ -84,6 +84,17 @@ fn class(ink: Ink) -> String {
         Ink::Shine => "v".into(),
         Ink::Glass => "e".into(),
     }
+}
+
+/// Closed path through points by short steps; they add up without errors, as the points themselves are rounded.
+fn closed(corners: &[Place]) -> String {
+    let rounded = |at: &Place| [(at.x * 10.0).round(), (at.y * 10.0).round()];
+    let steps = corners.windows(2).map(|pair| {
+        let ([a, b], [c, d]) = (rounded(&pair[0]), rounded(&pair[1]));
+        format!("{} {}", number((c - a) / 10.0), number((d - b) / 10.0))
+    });
+    let first = corners.first().copied().unwrap_or_default();
+    format!("M{}l{}Z", pair(first), steps.collect::<Vec<_>>().join(" "))
 }
 
 /// Path through points.

@@ -69,7 +69,7 @@ pub(crate) fn outline(count: f64, radius: f64, is_ring: bool) -> Vec<Place> {
     let involute = |angle: f64| libm::tan(angle) - angle;
     // Half the angle of a tooth at this radius; the involute begins on the base circle.
     let half = |at: f64| PI / (2.0 * count) + involute(PRESSURE) - involute(libm::acos(base / at.max(base)));
-    let flank = [root, radius, tip].map(|at| (at, half(at).max(0.0)));
+    let flank = [root, tip].map(|at| (at, half(at).max(0.0)));
     let tooth = |number: usize| {
         let axis = TAU * number as f64 / count;
         let (rising, falling) = (flank.into_iter(), flank.into_iter().rev());
@@ -80,5 +80,5 @@ pub(crate) fn outline(count: f64, radius: f64, is_ring: bool) -> Vec<Place> {
 
 /// Corners of a circle about the origin, clockwise, so that an outline inside it is a hole.
 pub(crate) fn rim(radius: f64) -> Vec<Place> {
-    (0..90).map(|step| polar(radius, -TAU * f64::from(step) / 90.0)).collect()
+    (0..60).map(|step| polar(radius, -TAU * f64::from(step) / 60.0)).collect()
 }
