@@ -58,7 +58,7 @@
 //! | --- | --- | --- | --- | --- | --- | --- |
 //! | four-bar | 1000 | 2 | 157 kB | 35 kB | 60 | 1.8 to 2.5 ms |
 //! | slider-crank | 181 | 3 | 93 kB | 19 kB | | |
-//! | Stewart platform | 241 | 4 | 135 kB | 304 kB | 60 | 2.2 to 3.3 ms |
+//! | Stewart platform | 241 | 4 | 135 kB | 143 kB | 60 | 2.2 to 3.3 ms |
 //! | chain of ten four-bars | 601 | 2 | 130 kB | 64 kB | 60 | 2.1 to 2.7 ms |
 //! | double pendulum | 361 | 4 | 109 kB | 19 kB | | |
 //!
