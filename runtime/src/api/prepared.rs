@@ -13,7 +13,7 @@ use crate::names::{Coordinate, Description, ParameterOutOfRange, Row};
 use crate::newton::StepError;
 use crate::number::{Float, Times};
 use crate::solve::{Solver, SolverReal, Stages};
-use crate::state::{Coordinates, State};
+use crate::state::{Coordinates, State, Values};
 
 /// A mechanism that can be [`Prepared`]; `mechanism!` implements it.
 ///
@@ -184,11 +184,11 @@ where
     }
 
     #[inline(always)]
-    fn stages_in_place(&self, t: T, solver: &mut Solver<'_, T, N>, found: &mut Coordinates<T, N>) -> Result<(), StepError<T>> {
+    fn stages_in_place(&self, t: T, solver: &mut Solver<'_, T, N>, found: &mut Values<T, N>) -> Result<(), StepError<T>> {
         if F == 0 {
             return self.mechanism.stages_in_place(t, solver, found);
         }
-        *found = self.stages(t, solver)?;
+        found.put(self.stages(t, solver)?);
         Ok(())
     }
 }

@@ -14,7 +14,7 @@ use crate::names::{Coordinate, CoordinateKind, Description, ParameterOutOfRange,
 use crate::newton::StepError;
 use crate::number::{Float, Real, Times};
 use crate::solve::{Family, Solver, SolverReal, Stages};
-use crate::state::{Coordinates, State};
+use crate::state::{Coordinates, State, Values};
 
 /// A mechanism of `WHOLE` coordinates that can be solved for one of its outputs alone; `mechanism!` implements it for each
 /// `slice output`.
@@ -59,9 +59,9 @@ pub trait Sliced<T: SolverReal, const OUTPUT: usize, const N: usize, const WHOLE
     /// Why no state was found from the solver's start or prediction.
     #[inline(always)]
     fn upstream(&self, t: T, solver: &mut Solver<'_, T, N>) -> Result<Coordinates<T, N>, StepError<T>> {
-        let mut found = Coordinates::zero();
+        let mut found = Values::zero();
         self.upstream_in_place(t, solver, &mut found)?;
-        Ok(found)
+        Ok(found.into())
     }
 
     /// [`Stages::stages_in_place`] of the slice.
@@ -69,8 +69,8 @@ pub trait Sliced<T: SolverReal, const OUTPUT: usize, const N: usize, const WHOLE
     /// # Errors
     /// Why no state was found from the solver's start or prediction.
     #[inline(always)]
-    fn upstream_in_place(&self, t: T, solver: &mut Solver<'_, T, N>, found: &mut Coordinates<T, N>) -> Result<(), StepError<T>> {
-        *found = self.upstream(t, solver)?;
+    fn upstream_in_place(&self, t: T, solver: &mut Solver<'_, T, N>, found: &mut Values<T, N>) -> Result<(), StepError<T>> {
+        found.put(self.upstream(t, solver)?);
         Ok(())
     }
 }
@@ -335,7 +335,7 @@ where
     }
 
     #[inline(always)]
-    fn stages_in_place(&self, t: T, solver: &mut Solver<'_, T, N>, found: &mut Coordinates<T, N>) -> Result<(), StepError<T>> {
+    fn stages_in_place(&self, t: T, solver: &mut Solver<'_, T, N>, found: &mut Values<T, N>) -> Result<(), StepError<T>> {
         self.mechanism.upstream_in_place(t, solver, found)
     }
 }

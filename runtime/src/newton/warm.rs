@@ -19,7 +19,7 @@ use super::limits::{LARGEST_CONTRACTION, LONGEST_FIRST_CORRECTION, LONGEST_PREDI
 use super::{Iterate, Linearized};
 use crate::linear::Linear;
 use crate::number::{Mask, SimdReal};
-use crate::state::{Coordinates, State};
+use crate::state::{Extrapolation, Moment, Values};
 
 /// The correction after the last one, η, may be this many times the first-order effect of one rounding in each term.
 const ROUNDINGS: f64 = 2.0;
@@ -38,7 +38,8 @@ const SMALL: usize = 3;
 
 /// The previous state and the step from it.
 pub(crate) struct Predictor<'a, T: SimdReal, const N: usize> {
-    here: &'a State<T, N>,
+    here: Moment<'a, T, N>,
+    extrapolation: &'a Extrapolation<T, N>,
     signs: &'a [T::Signs; N],
     /// The lanes that take part in the step.
     moving: T::Mask,
@@ -74,14 +75,21 @@ pub(crate) struct BlockSolution<T: SimdReal, L, const K: usize> {
 impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
     /// From a state to a time `h` (s) later, in the lanes `moving`.
     #[inline(always)]
-    pub(crate) fn new(here: &'a State<T, N>, signs: &'a [T::Signs; N], h: T, moving: T::Mask, iterated: usize) -> Self {
-        Self { here, signs, moving, weights: here.extrapolation.weights(h), is_small: iterated <= SMALL }
+    pub(crate) fn new(
+        here: Moment<'a, T, N>,
+        extrapolation: &'a Extrapolation<T, N>,
+        signs: &'a [T::Signs; N],
+        h: T,
+        moving: T::Mask,
+        iterated: usize,
+    ) -> Self {
+        Self { here, extrapolation, signs, moving, weights: extrapolation.weights(h), is_small: iterated <= SMALL }
     }
 
     /// The previous values of the unknowns `own`, if they were at rest and the `inputs` are at rest and unchanged.
     #[inline]
-    pub(crate) fn resting<const K: usize>(&self, found: &Coordinates<T, N>, inputs: &[usize], own: [usize; K]) -> Option<[T; K]> {
-        let (here, zero) = (self.here, T::of(0.0));
+    pub(crate) fn resting<const K: usize>(&self, found: &Values<T, N>, inputs: &[usize], own: [usize; K]) -> Option<[T; K]> {
+        let (here, zero) = (&self.here, T::of(0.0));
         let rested = |i: usize| here.qd[i] == zero && here.qdd[i] == zero;
         let rests = |&i: &usize| rested(i) && found.q[i] == here.q[i] && found.qd[i] == zero && found.qdd[i] == zero;
         (inputs.iter().all(rests) && own.iter().all(|&i| rested(i))).then(|| own.map(|i| here.q[i]))
@@ -96,9 +104,9 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
         for k in 0..K {
             let i = data.unknowns[k];
             let of = |vector: &SVector<T, N>| of(vector, i);
-            let terms = [first * of(&self.here.qd), second * of(&self.here.qdd), rest * of(&self.here.extrapolation.rest)];
+            let terms = [first * of(self.here.qd), second * of(self.here.qdd), rest * of(&self.extrapolation.rest)];
             // The term with q̈ is added last: it is available last.
-            x[k] = ((of(&self.here.q) + terms[2]) + terms[0]) + terms[1];
+            x[k] = ((of(self.here.q) + terms[2]) + terms[0]) + terms[1];
             way = way + (terms[0].abs() + terms[1].abs() + terms[2].abs()) * data.reciprocal[k];
         }
         (x, way)
@@ -116,7 +124,7 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
         let sign = *self.signs.get(first)?;
         let mut follows = self.moving.and(way.at_most(T::of(LONGEST_PREDICTION)));
         let mut iterate = if self.is_small {
-            Iterate::after(SVector::from_fn(|k, _| of(&self.here.q, data.unknowns[k])), x, data.needs_sin_cos)
+            Iterate::after(SVector::from_fn(|k, _| of(self.here.q, data.unknowns[k])), x, data.needs_sin_cos)
         } else {
             Iterate::at(x, data.needs_sin_cos)
         };

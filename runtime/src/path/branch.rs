@@ -6,7 +6,7 @@ use crate::names::{self, Cause, CoordinateKind};
 use crate::newton::{Scale, length_of};
 use crate::number::{Float, Mask};
 use crate::solve::{SolverReal, Stages};
-use crate::state::{Coordinates, State};
+use crate::state::{Moment, State};
 
 /// Largest distance of a computed angle from its prediction, in rad.
 const LARGEST_SURPRISE: f64 = 0.6;
@@ -31,8 +31,12 @@ pub(super) fn keeps_sides<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usiz
 /// Whether every computed angle is close to its prediction, and every binary link has kept its side. A drive that resumes after a dwell
 /// may turn by any angle in one long step.
 #[inline(always)]
-pub(super) fn is_resolved<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(here: &State<T, N>, q: &SVector<T, N>, h: T) -> T::Mask {
-    let mut resolved = keeps_sides::<T, E, N>(&here.q, q);
+pub(super) fn is_resolved<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
+    here: Moment<'_, T, N>,
+    q: &SVector<T, N>,
+    h: T,
+) -> T::Mask {
+    let mut resolved = keeps_sides::<T, E, N>(here.q, q);
     for &i in E::COMPUTED_ANGLES {
         if i < N {
             let off = q[i] - (here.q[i] + h * (here.qd[i] + h * T::of(0.5) * here.qdd[i]));
@@ -49,8 +53,8 @@ pub(crate) fn is_same_branch<T: Float, E: Stages<T, N> + ?Sized, const N: usize>
     there: &State<T, N>,
 ) -> bool {
     let h = there.t - here.t;
-    let coordinates = Coordinates { q: there.q, qd: there.qd, qdd: there.qdd };
-    is_resolved::<T, E, N>(here, &there.q, h) && comes_from(equations, here, h, &coordinates, there.condition)
+    let (from, to) = (here.values.moment(), there.values.moment());
+    is_resolved::<T, E, N>(from, to.q, h) && comes_from(equations, from, h, to, here.condition.max(there.condition))
 }
 
 /// Rounding errors of positions, as a multiple of ε times their condition.
@@ -58,17 +62,18 @@ const ROUNDINGS: f64 = 4.0;
 
 /// Whether the prediction backwards from the new state, q − h q̇ + h² q̈ / 2, meets the old state, to the distance at which another
 /// assembly may be.
+///
+/// * `condition`: given, the larger one of both states.
 #[cold]
 #[inline(never)]
 pub(super) fn comes_from<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
-    here: &State<T, N>,
+    here: Moment<'_, T, N>,
     h: T,
-    there: &Coordinates<T, N>,
+    there: Moment<'_, T, N>,
     condition: T,
 ) -> T::Mask {
     let length = length_of(equations.characteristic_length());
-    let condition = condition.max(here.condition);
     // Rounding errors of the two positions are allowed for.
     let nearest = T::of(LARGEST_LAPSE) / condition + T::of(ROUNDINGS) * T::EPSILON * condition;
     let mut comes = T::Mask::of(true);

@@ -15,7 +15,7 @@ use crate::names::{Cause, Coordinate, Description, ParameterOutOfRange, Row};
 use crate::newton::StepError;
 use crate::number::{Float, Real};
 use crate::solve::{ColdSolver, Commanded, Solver, SolverReal, Stages};
-use crate::state::{Coordinates, State};
+use crate::state::{Coordinates, State, Values};
 
 /// Times closer to each other than this many of their roundings are one.
 const ONE_TIME: f64 = 1024.0;
@@ -86,7 +86,7 @@ impl<T: SolverReal, E: Commanded<T> + Stages<T, N>, const N: usize> Stages<T, N>
         mechanism.stages(t, solver)
     }
 
-    fn stages_in_place(&self, t: T, solver: &mut Solver<'_, T, N>, found: &mut Coordinates<T, N>) -> Result<(), StepError<T>> {
+    fn stages_in_place(&self, t: T, solver: &mut Solver<'_, T, N>, found: &mut Values<T, N>) -> Result<(), StepError<T>> {
         let (mechanism, t) = self.at(t);
         mechanism.stages_in_place(t, solver, found)
     }

@@ -6,7 +6,7 @@ use super::branch::{comes_from, is_resolved};
 use crate::newton::{ONE_CORRECTION, Predictor};
 use crate::number::{Float, Mask};
 use crate::solve::{Solver, SolverReal, Stages, StepReport};
-use crate::state::{Coordinates, State, Step};
+use crate::state::{Coordinates, Moment, State, Step};
 
 /// One warm step of the coordinates that may move; whether it succeeded.
 ///
@@ -65,51 +65,64 @@ pub fn step_lanes<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
     t: T,
     moving: T::Mask,
 ) -> T::Mask {
-    let h = t - state.t;
-    let mut solver = Solver::warm(equations, Predictor::new(state, signs, h, moving, E::ITERATED.len()));
-    let nowhere = T::Mask::of(false);
     if E::IN_PLACE {
-        let mut there = Coordinates::of(state);
-        let is_found = equations.stages_in_place(t, &mut solver, &mut there).is_ok();
-        let Some(report) = solver.report().filter(|_| is_found) else { return nowhere };
-        make_step(equations, state, t, &there, report, moving)
-    } else {
-        let Ok(there) = equations.stages(t, &mut solver) else { return nowhere };
-        let Some(report) = solver.report() else { return nowhere };
-        make_step(equations, state, t, &there, report, moving)
+        return step_in_place(equations, state, signs, t, moving);
     }
-}
-
-/// Updates the state from the result of a warm start, in the lanes in which the step is accepted; returns these lanes.
-#[inline(always)]
-fn make_step<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
-    equations: &E,
-    state: &mut State<T, N>,
-    t: T,
-    there: &Coordinates<T, N>,
-    report: StepReport<T>,
-    moving: T::Mask,
-) -> T::Mask {
     let h = t - state.t;
-    let StepReport { found, condition, iterations } = report;
-    let found = found.and(moving).and(is_resolved::<T, E, N>(state, &there.q, h));
-    // Coordinates in memory are read only once; coordinates in registers are stored when the step is accepted.
-    let accelerations = if E::IN_PLACE { state.extrapolate(h, found, there, E::ITERATED) } else { sum(&there.qdd, E::ITERATED) };
-    let mut found = found.and(is_surely_finite(h + accelerations, there, E::MAY_BE_NON_FINITE));
+    let here = state.values.moment();
+    let mut solver = Solver::warm(equations, Predictor::new(here, &state.extrapolation, signs, h, moving, E::ITERATED.len()));
+    let nowhere = T::Mask::of(false);
+    let Ok(there) = equations.stages(t, &mut solver) else { return nowhere };
+    let Some(StepReport { found, condition, iterations }) = solver.report() else { return nowhere };
+    let found = found.and(moving).and(is_resolved::<T, E, N>(here, &there.q, h));
+    let accelerations = sum(&there.qdd, E::ITERATED);
+    let mut found = found.and(is_surely_finite(h + accelerations, there.moment(), E::MAY_BE_NON_FINITE));
     // A prediction that was right to half of its digits lies on the same branch; others are checked backwards.
     if iterations > ONE_CORRECTION {
         // A copy, so that the usual case can keep the original in registers.
         let there = Coordinates { q: there.q, qd: there.qd, qdd: there.qdd };
-        found = found.and(comes_from(equations, state, h, &there, condition));
+        found = found.and(comes_from(equations, here, h, there.moment(), condition.max(state.condition)));
     }
     if !found.not().all() {
-        if !E::IN_PLACE {
-            state.extrapolate(h, found, there, E::ITERATED);
-        }
-        state.follow_on(t, &Step { h, found, condition, iterations }, there);
+        state.extrapolation.follow(h, found, state.values.moment(), there.moment(), E::ITERATED);
+        state.follow_on(t, &Step { h, found, condition, iterations }, &there);
     }
-    if E::IN_PLACE && !found.all() {
-        state.forget_extrapolation(found);
+    found
+}
+
+/// The same in place, for many coordinates: they are copied once, and written back where the step failed.
+#[inline(always)]
+fn step_in_place<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    state: &mut State<T, N>,
+    signs: &[T::Signs; N],
+    t: T,
+    moving: T::Mask,
+) -> T::Mask {
+    let h = t - state.t;
+    let before = Coordinates::of(state);
+    let State { values, extrapolation, .. } = state;
+    let here = before.moment();
+    let mut solver = Solver::warm(equations, Predictor::new(here, extrapolation, signs, h, moving, E::ITERATED.len()));
+    let is_found = equations.stages_in_place(t, &mut solver, values).is_ok();
+    let Some(StepReport { found, condition, iterations }) = solver.report().filter(|_| is_found) else {
+        values.put(before);
+        return T::Mask::of(false);
+    };
+    let there = values.moment();
+    let found = found.and(moving).and(is_resolved::<T, E, N>(here, there.q, h));
+    // Coordinates are read only once.
+    let accelerations = extrapolation.follow(h, found, here, there, E::ITERATED);
+    let mut found = found.and(is_surely_finite(h + accelerations, there, E::MAY_BE_NON_FINITE));
+    if iterations > ONE_CORRECTION {
+        found = found.and(comes_from(equations, here, h, there, condition.max(values.condition)));
+    }
+    if !found.all() {
+        values.put_back(found, &before);
+        extrapolation.forget(found);
+    }
+    if !found.not().all() {
+        state.accept(t, &Step { h, found, condition, iterations });
     }
     found
 }
@@ -131,7 +144,7 @@ fn sum<T: SolverReal, const N: usize>(vector: &SVector<T, N>, indices: &[usize])
 ///
 /// * `sum`: given, the length of the step plus the accelerations of the iterated coordinates.
 #[inline(always)]
-fn is_surely_finite<T: SolverReal, const N: usize>(sum: T, there: &Coordinates<T, N>, indices: Option<&[usize]>) -> T::Mask {
+fn is_surely_finite<T: SolverReal, const N: usize>(sum: T, there: Moment<'_, T, N>, indices: Option<&[usize]>) -> T::Mask {
     // Three independent sums, which shorten the chain of dependent additions.
     let mut sums = [sum, T::of(0.0), T::of(0.0)];
     let mut add = |i: usize| {

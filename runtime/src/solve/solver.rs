@@ -7,7 +7,7 @@ use crate::linear::{AtIterate, Elimination, Entries, FactorReal, Linear, Turning
 use crate::names::Description;
 use crate::newton::{Block, BlockData, Iterate, Linearized, Predictor, Scale, Solved, StepError};
 use crate::number::{Mask, SimdReal};
-use crate::state::Coordinates;
+use crate::state::Values;
 
 /// Solves the blocks of one evaluation of [`Stages`](crate::solve::Stages), in order.
 ///
@@ -90,7 +90,7 @@ impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
     /// The unknowns `own` of a block at rest: their previous values, if they and all `inputs` were and are at rest. None if the
     /// block must be solved.
     #[inline]
-    pub fn resting<const K: usize>(&self, found: &Coordinates<T, N>, inputs: &[usize], own: [usize; K]) -> Option<[T; K]> {
+    pub fn resting<const K: usize>(&self, found: &Values<T, N>, inputs: &[usize], own: [usize; K]) -> Option<[T; K]> {
         match &self.0 {
             Method::WarmStart(warm) => warm.predictor.resting(found, inputs, own),
             Method::ColdStart(_) => None,

@@ -6,7 +6,7 @@ use super::{Solver, SolverReal};
 use crate::names::Description;
 use crate::newton::StepError;
 use crate::number::{Float, Scalar};
-use crate::state::{Coordinates, State};
+use crate::state::{Coordinates, State, Values};
 
 /// The solution of a mechanism, stage by stage. Emitted code implements it block by block; hand-written mechanisms can call
 /// [`at_once`](crate::at_once).
@@ -89,8 +89,8 @@ pub trait Stages<T: SolverReal, const N: usize>: Description<T, N> {
     /// Why a block was not solved.
     #[doc(hidden)]
     #[inline(always)]
-    fn stages_in_place(&self, t: T, solver: &mut Solver<'_, T, N>, found: &mut Coordinates<T, N>) -> Result<(), StepError<T>> {
-        *found = self.stages(t, solver)?;
+    fn stages_in_place(&self, t: T, solver: &mut Solver<'_, T, N>, found: &mut Values<T, N>) -> Result<(), StepError<T>> {
+        found.put(self.stages(t, solver)?);
         Ok(())
     }
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::{Coordinates, State};
+use super::Moment;
 use crate::number::{Real, SimdReal};
 
 /// The remainder of a quadratic prediction, estimated from the last step. It only improves predictions and is not part of the
@@ -44,20 +44,17 @@ impl<T: SimdReal, const N: usize> Extrapolation<T, N> {
         let weight = T::pick(quotient.abs().at_most(T::of(2.0)), quotient * quotient * quotient, T::of(0.0));
         [h, T::of(0.5) * (h * h) + weight * (T::of(3.5) * (self.span * self.span)), weight]
     }
-}
 
-impl<T: SimdReal, const N: usize> State<T, N> {
-    /// Stores the extrapolation of a step of `h` (s), in the lanes `found`; returns the sum of the accelerations of the `iterated`
-    /// unknowns.
+    /// Takes over a step of `h` (s) from `here`, in the lanes `found`; returns the sum of the accelerations of the `iterated` unknowns.
     #[inline(always)]
-    pub(crate) fn extrapolate(&mut self, h: T, found: T::Mask, there: &Coordinates<T, N>, iterated: &[usize]) -> T {
+    pub(crate) fn follow(&mut self, h: T, found: T::Mask, here: Moment<'_, T, N>, there: Moment<'_, T, N>, iterated: &[usize]) -> T {
         let twice = T::of(2.0) * (h * h);
         let mut sum = T::of(0.0);
         for &i in iterated {
             if i < N {
-                let rates = T::of(17.0) * there.qd[i] + T::of(14.0) * self.qd[i];
-                let rest = (T::of(31.0) * (there.q[i] - self.q[i]) - twice * self.qdd[i]) - h * rates;
-                self.extrapolation.rest[i] = T::pick(found, rest, self.extrapolation.rest[i]);
+                let rates = T::of(17.0) * there.qd[i] + T::of(14.0) * here.qd[i];
+                let rest = (T::of(31.0) * (there.q[i] - here.q[i]) - twice * here.qdd[i]) - h * rates;
+                self.rest[i] = T::pick(found, rest, self.rest[i]);
                 sum = sum + there.qdd[i];
             }
         }
@@ -66,7 +63,7 @@ impl<T: SimdReal, const N: usize> State<T, N> {
 
     /// Discards the extrapolation in the lanes in which the step failed.
     #[cold]
-    pub(crate) fn forget_extrapolation(&mut self, found: T::Mask) {
-        self.extrapolation.span = T::pick(found, self.extrapolation.span, T::of(0.0));
+    pub(crate) fn forget(&mut self, found: T::Mask) {
+        self.span = T::pick(found, self.span, T::of(0.0));
     }
 }

@@ -16,6 +16,7 @@ mod serial;
 mod step;
 
 pub use coordinates::Coordinates;
+pub(crate) use coordinates::Moment;
 pub(crate) use extrapolation::Extrapolation;
 pub use given::HasState;
 pub use motion::{Motion, MotionWithJerk, PlanarBody, SpatialBody, ValueAndRate};

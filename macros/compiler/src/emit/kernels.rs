@@ -124,7 +124,7 @@ impl Emitter<'_> {
                 #piece: ::core::primitive::usize,
                 #t: T,
                 #pass: &mut ::reuleaux::Solver<'_, T, #n>,
-                #found: &mut ::reuleaux::Coordinates<T, #n>,
+                #found: &mut ::reuleaux::Values<T, #n>,
                 #turns: &mut [(T, T); #angles],
             ) -> ::core::result::Result<(), ::reuleaux::StepError<T>> {
                 #tables

@@ -217,7 +217,7 @@ pub(super) fn results(solving: &Solving, n: usize) -> (TokenStream, TokenStream,
         }
         Solving::Shared(_) => {
             let result = quote!(::core::result::Result<(), ::reuleaux::StepError<T>>);
-            (quote!(#found), quote!(#found: &mut ::reuleaux::Coordinates<T, #n>), result)
+            (quote!(#found), quote!(#found: &mut ::reuleaux::Values<T, #n>), result)
         }
     }
 }
@@ -242,9 +242,9 @@ pub(super) fn stages_of(solving: &Solving, n: usize, body: &TokenStream) -> Toke
                 t: T,
                 pass: &mut ::reuleaux::Solver<'_, T, #n>,
             ) -> ::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::StepError<T>> {
-                let mut found = ::reuleaux::Coordinates::zero();
+                let mut found = ::reuleaux::Values::zero();
                 self.stages_in_place(t, pass, &mut found)?;
-                ::core::result::Result::Ok(found)
+                ::core::result::Result::Ok(found.into())
             }
         },
     }
