@@ -72,6 +72,19 @@ pub trait Linear<T: SimdReal, const N: usize>: Sized {
     /// The index of a row with an entry that is not finite, unless every solution then is not finite.
     fn factor(matrix: &Self::Matrix) -> Result<Self, usize>;
 
+    /// Whether [`correction`](Self::correction) tests less than [`factor`](Self::factor).
+    const HAS_UNTESTED_CORRECTION: bool = false;
+
+    /// x of A x = b, and the sign of det A, without a test of their accuracy: for corrections that the next one judges.
+    ///
+    /// # Errors
+    /// As [`factor`](Self::factor).
+    #[inline(always)]
+    fn correction(matrix: &Self::Matrix, b: &SVector<T, N>) -> Result<(SVector<T, N>, T::Signs), usize> {
+        let factors = Self::factor(matrix)?;
+        Ok((factors.solve_regular(b), factors.det_sign()))
+    }
+
     /// The dense matrix.
     fn dense(matrix: &Self::Matrix) -> SMatrix<T, N, N>;
 

@@ -74,6 +74,15 @@ where
         Ok(Self { matrix: *matrix, lu, sizes, is_stable, is_tight, elimination: PhantomData })
     }
 
+    const HAS_UNTESTED_CORRECTION: bool = true;
+
+    /// By L and U as they are.
+    #[inline]
+    fn correction(matrix: &Entries<T, K, ENTRIES>, b: &SVector<T, K>) -> Result<(SVector<T, K>, T::Signs), usize> {
+        let Eliminated { lu, .. } = E::eliminate(&matrix.values, &matrix.columns);
+        Ok((SVector::from(E::substitute(&lu, &b.data.0[0], |b, known| b - known)), sign::<T, E, K, ENTRIES, FACTORS>(&lu)))
+    }
+
     fn dense(matrix: &Entries<T, K, ENTRIES>) -> SMatrix<T, K, K> {
         let mut dense = SMatrix::<T, K, K>::from_element(T::of(0.0));
         for (&entry, &place) in matrix.values.iter().zip(&E::ORDER.pattern) {
@@ -145,9 +154,7 @@ where
         if !self.is_stable.all() {
             return self.pivoted().map_or(T::of(1.0).signs(), |factors| factors.det_sign());
         }
-        let is_pivot = |place: &usize| E::ORDER.factors[*place].0 == E::ORDER.factors[*place].1;
-        let sign = T::of(if const { E::ORDER.is_odd() } { -1.0 } else { 1.0 });
-        (0..FACTORS).filter(is_pivot).fold(sign, |sign, place| T::select_less(self.lu[place], T::of(0.0), -sign, sign)).signs()
+        sign::<T, E, K, ENTRIES, FACTORS>(&self.lu)
     }
 
     #[inline]
@@ -182,6 +189,18 @@ where
     fn with_pivoting(&self, solve: impl Fn(&T::Dense<K>) -> SVector<T, K>) -> SVector<T, K> {
         self.pivoted().map_or(SVector::from_element(T::of(f64::NAN)), |factors| solve(&factors))
     }
+}
+
+/// The sign of det A by L and U.
+#[inline(always)]
+fn sign<T, E, const K: usize, const ENTRIES: usize, const FACTORS: usize>(lu: &[T; FACTORS]) -> T::Signs
+where
+    T: FactorReal,
+    E: Elimination<T, K, ENTRIES, FACTORS>,
+{
+    let is_pivot = |place: &usize| E::ORDER.factors[*place].0 == E::ORDER.factors[*place].1;
+    let sign = T::of(if const { E::ORDER.is_odd() } { -1.0 } else { 1.0 });
+    (0..FACTORS).filter(is_pivot).fold(sign, |sign, place| T::select_less(lu[place], T::of(0.0), -sign, sign)).signs()
 }
 
 /// Refuses the first row with an entry that is not finite in any lane; lanes with finite entries continue.

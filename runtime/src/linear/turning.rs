@@ -63,9 +63,15 @@ where
 {
     /// δe from ρ and θ.
     #[inline(always)]
-    fn by_components(&self, mut solution: SVector<T, K>) -> SVector<T, K> {
+    fn by_components(&self, solution: SVector<T, K>) -> SVector<T, K> {
+        Self::components(&self.x, solution)
+    }
+
+    /// The same at an iterate `x`.
+    #[inline(always)]
+    fn components(x: &SVector<T, K>, mut solution: SVector<T, K>) -> SVector<T, K> {
         for columns in E::QUATERNIONS {
-            let [w, x, y, z] = parts(&self.x, columns);
+            let [w, x, y, z] = parts(x, columns);
             let [norm, a, b, c] = parts(&solution, columns);
             let along = norm / square([w, x, y, z]);
             let change = [
@@ -95,6 +101,14 @@ where
     #[inline]
     fn factor(of: &Self::Matrix) -> Result<Self, usize> {
         Ok(Self { factors: L::factor(&of.matrix)?, x: of.x, elimination: PhantomData })
+    }
+
+    const HAS_UNTESTED_CORRECTION: bool = L::HAS_UNTESTED_CORRECTION;
+
+    #[inline]
+    fn correction(of: &Self::Matrix, b: &SVector<T, K>) -> Result<(SVector<T, K>, T::Signs), usize> {
+        let (solution, sign) = L::correction(&of.matrix, b)?;
+        Ok((Self::components(&of.x, solution), sign))
     }
 
     fn dense(of: &Self::Matrix) -> SMatrix<T, K, K> {

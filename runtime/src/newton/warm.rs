@@ -12,6 +12,9 @@
 //! ```
 //!
 //! If δ is longer, it is applied as well and the next correction is judged.
+//!
+//! A₀ may be factored without a test of its accuracy, since A is tested and judges δ. Where no solution is found in this way, all
+//! factors are tested.
 
 use nalgebra::SVector;
 
@@ -122,25 +125,32 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
     ) -> Option<BlockSolution<T, L, K>> {
         let (x, way) = self.predict(data);
         let sign = *self.signs.get(first)?;
-        let mut follows = self.moving.and(way.at_most(T::of(LONGEST_PREDICTION)));
-        let mut iterate = if self.is_small {
+        let is_near = self.moving.and(way.at_most(T::of(LONGEST_PREDICTION)));
+        let start = if self.is_small {
             Iterate::after(SVector::from_fn(|k, _| of(self.here.q, data.unknowns[k])), x, data.needs_sin_cos)
         } else {
             Iterate::at(x, data.needs_sin_cos)
         };
-        let mut longest = T::of(LONGEST_FIRST_CORRECTION);
-        let mut iterations = 0;
+        let begin = |is_tested: bool| (is_tested, 0, start, is_near, T::of(LONGEST_FIRST_CORRECTION));
+        let (mut is_tested, mut iterations, mut iterate, mut follows, mut longest) = begin(!L::HAS_UNTESTED_CORRECTION);
         loop {
             iterations += 2;
             let (phi, jacobian) = evaluate(&iterate);
-            let factors = L::factor(&jacobian).ok()?;
+            let (correction, sign_here) =
+                if is_tested { tested::<T, L, K>(&jacobian, &phi)? } else { L::correction(&jacobian, &phi).ok()? };
             // Where two branches cross, the smooth continuation changes the sign. A warm step does not switch to the other branch.
-            follows = follows.and(T::same_signs(factors.det_sign(), sign));
-            let correction = factors.solve_regular(&phi);
+            follows = follows.and(T::same_signs(sign_here, sign));
             let there = iterate.nudged_back(&correction, data.needs_sin_cos);
 
             let (phi, jacobian) = evaluate(&there);
-            let factors = L::factor(&jacobian).ok()?;
+            let factors = match L::factor(&jacobian) {
+                Ok(factors) => factors,
+                Err(_) if is_tested => return None,
+                Err(_) => {
+                    (is_tested, iterations, iterate, follows, longest) = begin(true);
+                    continue;
+                }
+            };
             let is_rounding = factors.is_rounding(&phi, data.sizes, T::of(ROUNDINGS));
             let next = if is_rounding.all() {
                 T::of(0.0)
@@ -158,7 +168,12 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
             if !found.all() {
                 found = is_found(length, next, condition, amplification + norm(&there.x, data.reciprocal)).and(is_alike);
             }
-            if found.all() || found.or(follows.not()).all() || iterations >= 2 * MOST_CORRECTIONS {
+            let is_over = found.all() || found.or(follows.not()).all() || iterations >= 2 * MOST_CORRECTIONS;
+            if is_over && !is_tested && !found.or(is_near.not()).all() {
+                (is_tested, iterations, iterate, follows, longest) = begin(true);
+                continue;
+            }
+            if is_over {
                 let solution = BlockSolution { iterate: there, factors, condition, iterations, found };
                 return (!found.not().all()).then_some(solution);
             }
@@ -168,6 +183,13 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
             longest = length * T::of(LARGEST_CONTRACTION);
         }
     }
+}
+
+/// A⁻¹ Φ and the sign of det A, with all tests.
+#[inline(always)]
+fn tested<T: SimdReal, L: Linear<T, K>, const K: usize>(jacobian: &L::Matrix, phi: &SVector<T, K>) -> Option<(SVector<T, K>, T::Signs)> {
+    let factors = L::factor(jacobian).ok()?;
+    Some((factors.solve_regular(phi), factors.det_sign()))
 }
 
 /// Whether a correction of this length was the last, followed by one of length `next`: the precise test, for a large condition or

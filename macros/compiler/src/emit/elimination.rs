@@ -72,7 +72,7 @@ impl EliminationPrinter<'_> {
         let (grown, sizes) = (by_pivot("grown"), by_pivot("size"));
         let [k, entries, factors] = [k, order.pattern.len(), order.factors.len()].map(number);
         quote! {
-            #[inline]
+            #[inline(always)]
             fn eliminate(a: &[T; #entries], c: &[T; #k]) -> ::reuleaux::Eliminated<T, #k, #factors> {
                 let [#(#given),*] = *a;
                 #(#rows)*
