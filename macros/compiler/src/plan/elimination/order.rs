@@ -26,7 +26,7 @@ pub(super) struct Pivot {
 }
 
 /// Classes of growth: pivots in one class count as equally accurate. Growth above the last limit is bad, but better than no pivot.
-const GROWTHS: [f64; 4] = [2.0, 8.0, 64.0, 1024.0];
+const GROWTHS: [f64; 3] = [8.0, 64.0, 1024.0];
 
 /// Chooses a pivot for each row and column.
 pub(super) fn in_order(size: usize, entries: &[PivotCandidate]) -> Vec<Pivot> {
