@@ -412,3 +412,29 @@ fn bennetts_linkage_through_all_its_turn() {
         assert!(error * flat.max(1e-3) < 1e-13, "{degree}°: {error:e}");
     }
 }
+
+/// Beside those instants and at them, as near as one likes: rates and accelerations do not depend on how nearly singular the solved rows
+/// are, and bodies turn about their hinges as the angles say.
+#[test]
+fn bennetts_linkage_beside_the_flat_place() {
+    let mechanism = Bennett::default();
+    let (alpha, beta) = (40_f64.to_radians(), 70_f64.to_radians());
+    let k = ((alpha + beta) / 2.0).sin() / ((alpha - beta) / 2.0).sin();
+    let places = (0..=20).flat_map(|half| [-1.0, 1.0].map(|side| side * 10_f64.powf(-0.5 * f64::from(half)))).chain([0.0]);
+    for t in places.flat_map(|off| [120.0 + off, 300.0 + off]) {
+        let state = mechanism.solve(t).unwrap_or_else(|failure| panic!("{t}: {failure}"));
+        let (driven, next) = (mechanism.driven(&state), mechanism.next(&state));
+        let (sin, cos) = (driven.value / 2.0).sin_cos();
+        let size = sin * sin + k * k * cos * cos;
+        let (speed, change) = (-k / size, k * (1.0 - k * k) * sin * cos / (size * size));
+        let rate = next.rate / driven.rate - speed;
+        let acceleration = next.acceleration / (driven.rate * driven.rate) - change;
+        assert!(rate.abs() < 1e-9 && acceleration.abs() < 1e-6, "{t}: {rate:e} {acceleration:e}");
+
+        let hinge = |twist: f64| Vector3::new(0.0, -twist.sin(), twist.cos());
+        let second = hinge(alpha) * driven.rate;
+        let third = second + state.second().vector(hinge(beta)).value * (driven.rate * speed);
+        let off = (state.second().angular_velocity - second).norm().max((state.third().angular_velocity - third).norm());
+        assert!(off < 1e-9 * driven.rate, "{t}: {off:e}");
+    }
+}

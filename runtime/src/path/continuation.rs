@@ -94,7 +94,7 @@ pub(crate) fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usiz
             Ok((there, _)) if !keeps_sides::<T, E, N>(&here.q, &there.q) => Err(StepError::Far),
             Ok((_, Some(cause))) if next == t => return Err(Ended::Refused(cause)),
             Ok((there, _)) if next == t => {
-                *state = there;
+                *state = crossing::beside(equations, &there).unwrap_or(there);
                 return Ok(());
             }
             Ok((there, _)) => {

@@ -15,9 +15,11 @@ use nalgebra::SVector;
 
 use super::branch::is_same_branch;
 use super::cold::{cold_state, solve_stages};
+use crate::names::{self, CoordinateKind};
+use crate::newton::Scale;
 use crate::number::Float;
 use crate::number::order::greater;
-use crate::solve::{ColdSolver, Stages};
+use crate::solve::{ColdSolver, Stages, largest_alone};
 use crate::state::{State, Values};
 
 /// The least condition next to a crossing, as a fraction of 1 / √ε; two branches that do not meet are distinguished at a smaller
@@ -37,6 +39,15 @@ const STRAIGHT: f64 = 1.0 / 32.0;
 /// The least such limit, for single precision.
 const LEAST_STRAIGHT: f64 = 16.0;
 
+/// States with redundant equations: the first step, to see on which side the change point is, as a fraction of 1 / condition.
+const BRIEF: f64 = 0.25;
+
+/// The condition decreases to this fraction at least when its distance from a change point is doubled.
+const LEAST_DECREASE: f64 = 0.75;
+
+/// What is found from both sides may differ by this many of the errors that rounding leaves in a state.
+const LOST: f64 = 64.0;
+
 /// Times within this multiple of the last state's distance from the crossing count as the crossing itself.
 const REACH: f64 = 4.0;
 
@@ -52,15 +63,26 @@ pub(crate) fn cross<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     here: &State<T, N>,
     t: T,
 ) -> Option<State<T, N>> {
-    let close = greater(T::of(CLOSE) / T::ROOT_EPSILON, T::of(LEAST_CLOSE));
-    if here.condition < close || waypoint.t == here.t {
+    if here.condition < close() || waypoint.t == here.t {
         return None;
     }
-    let crossing = here.t + (here.t - waypoint.t) * waypoint.condition / (here.condition - waypoint.condition);
+    let crossing = crossing(waypoint, here);
     let is_there = (t - crossing).abs() <= T::of(REACH) * (crossing - here.t).abs();
     if !is_there && (t - crossing) * (crossing - waypoint.t) <= T::of(0.0) {
         return None;
     }
+    through(equations, waypoint, here, (crossing, is_there), t)
+}
+
+/// The state behind a change point at `crossing`, no further from it than `waypoint`; if `is_there`, the state at `t`, next to it.
+fn through<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    waypoint: &State<T, N>,
+    here: &State<T, N>,
+    (crossing, is_there): (T, bool),
+    t: T,
+) -> Option<State<T, N>> {
+    let close = close();
     // From closer and closer to the crossing, until a step across it succeeds.
     let (mut before, mut beyond) = (waypoint.clone(), None);
     for _ in 0..MOST_STEPS {
@@ -78,7 +100,7 @@ pub(crate) fn cross<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     if meets.branch != far.branch || (far.branch == here.branch && !is_there) {
         return None;
     }
-    let between = greater(T::of(STRAIGHT) / T::ROOT_EPSILON.sqrt(), T::of(LEAST_STRAIGHT));
+    let between = between();
     let [near, far] = [approach(equations, &before, crossing, between)?, approach(equations, &beyond, crossing, between)?];
     // Between branches that only come close there is no solution.
     let mut there = extrapolated(equations, near, far, crossing, if is_there { t } else { crossing })?;
@@ -89,12 +111,85 @@ pub(crate) fn cross<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     Some(State { parameter_hash: equations.parameter_hash(), ..there })
 }
 
+/// The same state next to a change point of the solved equations, of a mechanism with redundant equations: they determine the motion
+/// there, though the solved ones alone lose it. None if the solved equations are regular enough, or if there is no change point.
+///
+/// ```text
+/// errors of q, q̇, q̈ from the solved equations:  κ ε, κ² ε, κ³ ε          κ the condition
+/// ```
+///
+/// What is found from states on both sides may differ by no more than these.
+pub(crate) fn beside<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, here: &State<T, N>) -> Option<State<T, N>> {
+    if here.condition <= largest_alone() || !has_redundant_equations(equations, here) {
+        return None;
+    }
+    let scale = Scale::of(equations);
+    let speed = scale.norm(&here.qd);
+    // The change point is about 1 / condition away.
+    let brief = T::of(BRIEF) / (here.condition * speed);
+    let other = [here.t - brief, here.t + brief].into_iter().find_map(|t| step(equations, here, t, false))?;
+    let (mut waypoint, mut closest) = (other, here.clone());
+    for _ in 0..MOST_STEPS {
+        if waypoint.condition <= between() {
+            break;
+        }
+        let crossing = crossing(&waypoint, &closest);
+        // Away from it the condition decreases as the distance grows.
+        let next = step(equations, &waypoint, crossing + T::of(2.0) * (waypoint.t - crossing), false)?;
+        if next.condition > T::of(LEAST_DECREASE) * waypoint.condition {
+            return None;
+        }
+        waypoint = next;
+    }
+    let mut last = waypoint.clone();
+    for _ in 0..MOST_STEPS {
+        if closest.condition >= close() {
+            break;
+        }
+        let crossing = crossing(&last, &closest);
+        let next = step(equations, &closest, T::of(0.5) * (closest.t + crossing), false)?;
+        (last, closest) = (closest, next);
+    }
+    let mut there = through(equations, &waypoint, &closest, (crossing(&last, &closest), true), here.t)?;
+    let lost = T::of(LOST) * T::EPSILON * here.condition;
+    let rounded = [lost, lost * here.condition * speed, lost * here.condition * here.condition * speed * speed];
+    let apart = [(&there.q, &here.q), (&there.qd, &here.qd), (&there.qdd, &here.qdd)];
+    let apart = apart.map(|(there, here)| scale.norm(&there.zip_map(here, |there, here| there - here)));
+    let is_same = apart.iter().zip(&rounded).all(|(apart, rounded)| apart <= rounded);
+    there.values.branch = here.branch;
+    is_same.then_some(there)
+}
+
+/// Whether equations are checked instead of solved.
+fn has_redundant_equations<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, here: &State<T, N>) -> bool {
+    let solver = ColdSolver::inspection(equations, &here.q);
+    // Only the report is needed.
+    let _ = solve_stages(equations, here.t, &solver);
+    solver.report().is_verified
+}
+
+/// Where the condition would be infinite, from two states on one side.
+fn crossing<T: Float, const N: usize>(waypoint: &State<T, N>, here: &State<T, N>) -> T {
+    here.t + (here.t - waypoint.t) * waypoint.condition / (here.condition - waypoint.condition)
+}
+
+/// The least condition next to a crossing.
+fn close<T: Float>() -> T {
+    greater(T::of(CLOSE) / T::ROOT_EPSILON, T::of(LEAST_CLOSE))
+}
+
+/// The condition of the states between which a polynomial is accurate.
+fn between<T: Float>() -> T {
+    greater(T::of(STRAIGHT) / T::ROOT_EPSILON.sqrt(), T::of(LEAST_STRAIGHT))
+}
+
 /// The state at `t`, next to the crossing, by extrapolation of polynomials through states at ±h, ±2h and ±4h from it, as far as
 /// these states exist.
 ///
 /// ```text
 /// error of q and q̇:  a h⁶ + b h⁸ + …        (64 x_h − x_2h) / 63,    then (256 x_h − x_2h) / 255
 /// error of q̈:        a h⁴ + b h⁶ + …        (16 x_h − x_2h) / 15,    then (64 x_h − x_2h) / 63
+/// error of ω and ω̇:  the same
 /// ```
 ///
 /// Stoer, Bulirsch: Introduction to Numerical Analysis, 3.4.
@@ -110,37 +205,47 @@ fn extrapolated<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     let between = |near: &State<T, N>, far: &State<T, N>, h: T| {
         let near = step(equations, near, crossing - h, false)?;
         let far = step(equations, far, crossing + h, false)?;
-        let there = interpolated(&near, &far, t);
+        let there = interpolated::<T, E, N>(&near, &far, t);
         Some((near, far, there))
     };
     let (near, far, mut there) = between(&near, &far, h)?;
     let Some((near, far, second)) = between(&near, &far, T::of(2.0) * h) else { return Some(there) };
     let shares = [T::of(1.0 / 63.0), T::of(1.0 / 15.0)];
-    there = combined(there, &second, shares);
+    there = combined::<T, E, N>(there, &second, shares);
     if let Some((_, _, third)) = between(&near, &far, T::of(4.0) * h) {
-        there = combined(there, &combined(second, &third, shares), [T::of(1.0 / 255.0), T::of(1.0 / 63.0)]);
+        there = combined::<T, E, N>(there, &combined::<T, E, N>(second, &third, shares), [T::of(1.0 / 255.0), T::of(1.0 / 63.0)]);
     }
     Some(there)
 }
 
-/// x_h + s (x_h − x_2h), with one weight s for q and q̇, and one for q̈.
-fn combined<T: Float, const N: usize>(mut fine: State<T, N>, coarse: &State<T, N>, [share, of_accelerations]: [T; 2]) -> State<T, N> {
-    let of = |fine: &mut SVector<T, N>, coarse: &SVector<T, N>, share: T| {
-        for (entry, other) in fine.iter_mut().zip(coarse.iter()) {
-            *entry = *entry + share * (*entry - *other);
-        }
-    };
+/// x_h + s (x_h − x_2h), with one weight s for q and q̇, and one for q̈ and ω.
+fn combined<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+    mut fine: State<T, N>,
+    coarse: &State<T, N>,
+    [share, of_accelerations]: [T; 2],
+) -> State<T, N> {
     let Values { q, qd, qdd, .. } = &mut fine.values;
-    of(q, &coarse.q, share);
-    of(qd, &coarse.qd, share);
-    of(qdd, &coarse.qdd, of_accelerations);
+    let add = |entry: &mut T, other: T, share: T| *entry = *entry + share * (*entry - other);
+    for i in 0..N {
+        add(&mut q[i], coarse.q[i], share);
+        add(&mut qd[i], coarse.qd[i], if is_of_orientation::<T, E, N>(i) { of_accelerations } else { share });
+        add(&mut qdd[i], coarse.qdd[i], of_accelerations);
+    }
     fine
 }
 
-/// The state at `t` of the polynomial of fifth degree through two states, their rates and their accelerations, on the branch of the second.
+/// Whether a coordinate is an entry of a rotation matrix: its rates are those of no coordinate, but the first three of the nine are ω and
+/// ω̇.
+fn is_of_orientation<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(i: usize) -> bool {
+    let coordinate = names::coordinate(E::COORDINATES, i);
+    coordinate.kind == CoordinateKind::Number && coordinate.name.starts_with('a')
+}
+
+/// The state at `t` of the polynomial of fifth degree through two states, their rates and their accelerations, on the branch of the second;
+/// ω follows a polynomial of third degree through ω and ω̇.
 ///
 /// Its accelerations have lost twice as many digits as those of the states.
-fn interpolated<T: Float, const N: usize>(near: &State<T, N>, far: &State<T, N>, t: T) -> State<T, N> {
+fn interpolated<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(near: &State<T, N>, far: &State<T, N>, t: T) -> State<T, N> {
     let h = far.t - near.t;
     let s = (t - near.t) / h;
     let of = T::of;
@@ -150,6 +255,10 @@ fn interpolated<T: Float, const N: usize>(near: &State<T, N>, far: &State<T, N>,
         let value = ((far.q[i] - near.q[i]) - first) - of(0.5) * second;
         let rate = h * (far.qd[i] - near.qd[i]) - second;
         let acceleration = h * h * (far.qdd[i] - near.qdd[i]);
+        if is_of_orientation::<T, E, N>(i) {
+            // The integral of ω, without its value.
+            return (first, second, [rate - acceleration / of(3.0), of(0.25) * acceleration - of(0.5) * rate, of(0.0)]);
+        }
         let c3 = of(10.0) * value - of(4.0) * rate + of(0.5) * acceleration;
         let c4 = of(7.0) * rate - of(15.0) * value - acceleration;
         let c5 = of(6.0) * value - of(3.0) * rate + of(0.5) * acceleration;

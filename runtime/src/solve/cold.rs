@@ -58,11 +58,13 @@ pub(crate) struct ColdReport<T, const N: usize> {
     /// Of the verified equations that do not hold, the one with the largest residual by its bound: its index in Φ, its residual,
     /// and the residual divided by the bound.
     pub(crate) off: Option<(usize, T, T)>,
+    /// Whether there are equations to be verified.
+    pub(crate) is_verified: bool,
 }
 
 impl<'a, T: Float, const N: usize> ColdSolver<'a, T, N> {
     fn new<E: Description<T, N> + ?Sized>(equations: &E, origin: Origin<'a, T, N>, branch: [DetSign; N]) -> Self {
-        let report = Cell::new(ColdReport { branch, condition: T::of(1.0), iterations: 0, worst: None, off: None });
+        let report = Cell::new(ColdReport { branch, condition: T::of(1.0), iterations: 0, worst: None, off: None, is_verified: false });
         Self { origin, lengths: lengths_of(equations), rows: E::ROWS, coordinates: E::COORDINATES, report }
     }
 
@@ -166,6 +168,7 @@ impl<T: Float, const N: usize> ColdStart<T, N> for ColdSolver<'_, T, N> {
 
     fn check(&self, row: usize, residual: T, size: T) {
         let mut report = self.report.get();
+        report.is_verified = true;
         let bound = bound(report.condition, size);
         let holds = residual.abs() <= bound;
         // NaN never holds, and no residual is off by more.
@@ -173,8 +176,8 @@ impl<T: Float, const N: usize> ColdStart<T, N> for ColdSolver<'_, T, N> {
         let is_known = report.off.is_some_and(|(_, _, most)| excess <= most || !most.at_most(most));
         if !holds && !is_known && size.at_most(size) {
             report.off = Some((row, residual, excess));
-            self.report.set(report);
         }
+        self.report.set(report);
     }
 }
 

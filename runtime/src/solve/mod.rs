@@ -18,5 +18,5 @@ pub use family::Family;
 pub(crate) use real::lengths_of;
 pub use real::{ColdStart, NoColdStart, SolverReal};
 pub use solver::Solver;
-pub(crate) use solver::StepReport;
+pub(crate) use solver::{StepReport, largest_alone};
 pub use stages::{Stages, parameter_hash};

@@ -50,6 +50,13 @@ pub(crate) struct StepReport<T: SolverReal> {
 /// misfit: about 1e-13 of the size of the mechanism in double precision at a condition of 1.
 pub(crate) const HOLDS: f64 = 64.0;
 
+/// From this condition on, as a fraction of ε^(−1/4), a state with redundant equations is found from states on both sides of the place
+/// where the solved equations are singular.
+const SINGULAR_ALONE: f64 = 0.125;
+
+/// The least such limit, for single precision.
+const LEAST_SINGULAR_ALONE: f64 = 64.0;
+
 impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
     /// A warm start from a previous state.
     #[inline(always)]
@@ -185,7 +192,8 @@ impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
         let size = terms + self.lengths().0 * lengths + angles;
         match &mut self.0 {
             Method::WarmStart(WarmStart { report, .. }) => {
-                report.found = report.found.and(residual.abs().at_most(bound(report.condition, size)));
+                let holds = residual.abs().at_most(bound(report.condition, size));
+                report.found = report.found.and(holds).and(report.condition.at_most(largest_alone()));
             }
             Method::ColdStart(cold) => cold.check(row, residual, size),
         }
@@ -228,6 +236,12 @@ impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
 #[inline(always)]
 pub(crate) fn bound<T: SimdReal>(condition: T, size: T) -> T {
     T::of(HOLDS) * T::EPSILON * condition * size
+}
+
+/// Up to this condition the solved equations alone give rates of states with redundant equations.
+#[inline(always)]
+pub(crate) fn largest_alone<T: SimdReal>() -> T {
+    (T::of(SINGULAR_ALONE) / T::ROOT_EPSILON.sqrt()).max(T::of(LEAST_SINGULAR_ALONE))
 }
 
 /// Residuals and a Jacobian by rows.
