@@ -119,3 +119,43 @@ fn change_points_are_passed_between_two_steps_of_a_loop() {
         assert!(state.coupler().angle.abs() < 1e-7 && (state.rocker().angle - (1.0 + 3.0 * t)).abs() < 1e-7, "{t}");
     }
 }
+
+mechanism! {
+    /// A crank that is commanded and shaken, a cylinder between its pin and that of a rocker, as far from the origin as one likes.
+    mechanism Shaken {
+        param away: Length = 0mm;
+        input theta: Angle = 40deg;
+        ground { point O = (away, 0mm);  point C = (away + 400mm, 0mm); }
+        body crank  { point A = (100mm, 0mm); }
+        body tube   { axis along = (1, 0); }
+        body piston { }
+        body rocker { point B = (300mm, 0mm);  start angle = 70deg; }
+        joint o = revolute(ground.O, crank.position);
+        joint a = revolute(crank.A, tube.position);
+        joint slide = translational(tube.along, tube.position, piston.position);
+        joint b = revolute(piston.position, rocker.B);
+        joint c = revolute(rocker.position, ground.C);
+        drive motor = drive_angle(crank, theta + 100mrad * sin(t * 3rad_s));
+        drive cylinder = drive_along(slide, 350mm);
+    }
+}
+
+/// Laws of time stand still while inputs are led along, however large the condition is.
+#[test]
+fn inputs_jump_beside_laws_of_time_far_from_the_origin() {
+    for away in [0.0, 1e2, 1e3, 1e4, 1e5] {
+        let mechanism = Shaken { away, ..Default::default() };
+        for theta in [0.7, 1.5, -1.0] {
+            let state =
+                mechanism.solve(0.0, ShakenInputs { theta: Motion::moving(theta, 2.0) }).unwrap_or_else(|failure| panic!("{failure}"));
+            // From the triangle of both pins and the rocker's pivot, without rounding of the place.
+            let (x, y) = (0.4 - 0.1 * theta.cos(), -0.1 * theta.sin());
+            let (distance, side) = (x.hypot(y), 0.35);
+            let inner = ((distance * distance + 0.09 - side * side) / (0.6 * distance)).acos();
+            let right = (-y).atan2(-x) - inner;
+            let off = 2.0 * (0.5 * (state.rocker().angle - right)).sin().abs();
+            assert!(off < 16.0 * f64::EPSILON * state.condition, "{away:e}, {theta}: {off:e}");
+            assert!((state.crank().angular_velocity - 2.3).abs() < 1e-14);
+        }
+    }
+}

@@ -3,7 +3,8 @@
 //!
 //! Where one warm step is not enough, the inputs are led along polynomials of fifth degree in time that have the given values, rates and
 //! accelerations at both ends. This is a motion by laws of time, which is followed like any other: by steps short enough that the branch
-//! is certain, and across change points. Inputs that jump at one time are led along in a time of their own, in which `t` stands still.
+//! is certain, and across change points. Inputs that jump at one time are led along in a time of their own, in which `t` stands still. It is
+//! so short that laws of `t` would change nothing in it: their rates are among the rates on the way, and steps follow these.
 
 use core::marker::PhantomData;
 
@@ -42,9 +43,7 @@ impl<T: Real, E: Commanded<T>> Along<'_, T, E> {
     fn at(&self, t: T) -> (E, T) {
         let [begin, end] = self.times;
         let whole = end - begin;
-        // Where time stands still, inputs go from rest to rest.
-        let h = if self.still.is_some() { T::of(0.0) } else { whole };
-        let inputs = if t == end && self.still.is_none() { self.to } else { E::between(&self.from, &self.to, h, (t - begin) / whole) };
+        let inputs = if t == end { self.to } else { E::between(&self.from, &self.to, whole, (t - begin) / whole) };
         (self.mechanism.with(inputs), self.still.unwrap_or(t))
     }
 }
@@ -112,13 +111,13 @@ pub(crate) fn lead<'a, T: Float, E: Commanded<T> + Stages<T, N>, const N: usize>
         let way = Along { mechanism, from, to, times: [state.t, t], still: None, over: PhantomData };
         return advance_by_steps(&way, state, t).map_err(|ended| (way, ended));
     }
-    let way = Along { mechanism, from, to, times: [T::of(0.0), T::of(1.0)], still: Some(t), over: PhantomData };
+    let brief = T::EPSILON;
+    let way = Along { mechanism, from, to, times: [T::of(0.0), brief], still: Some(t), over: PhantomData };
     let mut led = state.clone();
     led.values.t = T::of(0.0);
-    if let Err(ended) = advance_by_steps(&way, &mut led, T::of(1.0)) {
+    if let Err(ended) = advance_by_steps(&way, &mut led, brief) {
         return Err((way, ended));
     }
-    // The rates on the way were others.
     let there = mechanism.with(to);
     match cold_state(&there, t, ColdSolver::from_prediction(&there, &led, T::of(0.0))) {
         Ok((found, None)) => {

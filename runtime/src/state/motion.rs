@@ -83,7 +83,7 @@ impl<T: Real> Motion<T> {
     }
 
     /// On a smooth way: the polynomial of fifth degree that has the value, the rate and the acceleration of `from` at its begin and those
-    /// of `to` at its end, after the share `share` of its duration `h` (s). Where `h` is 0 the way is from rest to rest in a second.
+    /// of `to` at its end, after the share `share` of its duration `h` (s).
     ///
     /// ```text
     /// x = x₀ + h ẋ₀ s + h² ẍ₀ s² / 2 + s³ (c₃ + s (c₄ + s c₅))
@@ -91,8 +91,7 @@ impl<T: Real> Motion<T> {
     #[doc(hidden)]
     #[must_use]
     pub fn between(from: &Self, to: &Self, h: T, share: T) -> Self {
-        let (of, s, zero) = (T::of, share, T::of(0.0));
-        let per = if h == zero { of(1.0) } else { h };
+        let (of, s) = (T::of, share);
         let (first, second) = (h * from.rate, h * h * from.acceleration);
         let value = ((to.value - from.value) - first) - of(0.5) * second;
         let rate = h * (to.rate - from.rate) - second;
@@ -102,8 +101,8 @@ impl<T: Real> Motion<T> {
         let c5 = of(6.0) * value - of(3.0) * rate + of(0.5) * acceleration;
         Self {
             value: from.value + s * (first + s * (of(0.5) * second + s * (c3 + s * (c4 + s * c5)))),
-            rate: (first + s * (second + s * (of(3.0) * c3 + s * (of(4.0) * c4 + s * of(5.0) * c5)))) / per,
-            acceleration: (second + s * (of(6.0) * c3 + s * (of(12.0) * c4 + s * of(20.0) * c5))) / (per * per),
+            rate: (first + s * (second + s * (of(3.0) * c3 + s * (of(4.0) * c4 + s * of(5.0) * c5)))) / h,
+            acceleration: (second + s * (of(6.0) * c3 + s * (of(12.0) * c4 + s * of(20.0) * c5))) / (h * h),
         }
     }
 }
