@@ -34,7 +34,8 @@ pub(crate) fn track<T: Float, P: Problem<T, N>, const N: usize>(
     let mut iterate = *prediction;
     for iterations in 1..=FOLLOWING_ITERATIONS {
         let step = NewtonStep::at(problem, iterate)?;
-        if step.has_settled(&history) {
+        // Sums that a correction below their rounding leaves unchanged make corrections shrink by a constant factor.
+        if step.has_settled(&history) || (iterations == FOLLOWING_ITERATIONS && step.is_rounding()) {
             return accept(problem, step, iterations).map_err(|_| TrackError::Singular);
         }
         if iterations == 1 && sign.is_some_and(|sign| !T::same_signs(step.factors.det_sign(), sign).all()) {
