@@ -207,6 +207,10 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     /// [`update_derivatives`](Self::update_derivatives) saves moving the result. Where the derivative of an acceleration needs the
     /// third derivative of a Rust function, which is unknown, it is NaN.
     ///
+    /// Near a dead point or a change point a derivative loses more digits than its quantity, by those of the condition of the Jacobian at
+    /// this place. A state at a change point, or next to one where joints are redundant, was extrapolated from states on both sides, and its
+    /// [`condition`](crate::Values::condition) is that of these: its derivatives by parameters may be lost there.
+    ///
     /// # Errors
     /// If the state does not belong to this mechanism, or Φ_q is singular there.
     #[allow(clippy::type_complexity, reason = "a mechanism and its state, over numbers with derivatives")]

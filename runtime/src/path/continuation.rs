@@ -14,7 +14,7 @@ use crate::names::{self, Cause, CoordinateKind, Culprit};
 use crate::newton::{StepError, length_of};
 use crate::number::Float;
 use crate::number::order::greater;
-use crate::solve::{ColdSolver, Stages};
+use crate::solve::{ColdSolver, Stages, largest_alone};
 use crate::state::State;
 
 /// Largest number of steps of one continuation, accepted or not, for a mechanism of a few coordinates. It decreases with the number
@@ -94,7 +94,10 @@ pub(crate) fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usiz
             Ok((there, _)) if !keeps_sides::<T, E, N>(&here.q, &there.q) => Err(StepError::Far),
             Ok((_, Some(cause))) if next == t => return Err(Ended::Refused(cause)),
             Ok((there, _)) if next == t => {
-                *state = crossing::beside(equations, &there).unwrap_or(there);
+                *state = there;
+                if state.condition > largest_alone() {
+                    crossing::refine_beside(equations, state);
+                }
                 return Ok(());
             }
             Ok((there, _)) => {

@@ -19,7 +19,7 @@ use crate::names::{self, CoordinateKind};
 use crate::newton::Scale;
 use crate::number::Float;
 use crate::number::order::greater;
-use crate::solve::{ColdSolver, Stages, largest_alone};
+use crate::solve::{ColdSolver, Stages};
 use crate::state::{State, Values};
 
 /// The least condition next to a crossing, as a fraction of 1 / √ε; two branches that do not meet are distinguished at a smaller
@@ -111,18 +111,26 @@ fn through<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     Some(State { parameter_hash: equations.parameter_hash(), ..there })
 }
 
-/// The same state next to a change point of the solved equations, of a mechanism with redundant equations: they determine the motion
-/// there, though the solved ones alone lose it. None if the solved equations are regular enough, or if there is no change point.
+/// Improves a state that is next to a change point of the solved equations, of a mechanism with redundant equations: together they determine
+/// the motion there, though the solved ones alone lose it. If there is no change point, the state is unchanged.
 ///
 /// ```text
 /// errors of q, q̇, q̈ from the solved equations:  κ ε, κ² ε, κ³ ε          κ the condition
 /// ```
 ///
 /// What is found from states on both sides may differ by no more than these.
-pub(crate) fn beside<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, here: &State<T, N>) -> Option<State<T, N>> {
-    if here.condition <= largest_alone() || !has_redundant_equations(equations, here) {
-        return None;
+#[cold]
+#[inline(never)]
+pub(crate) fn refine_beside<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, state: &mut State<T, N>) {
+    if has_redundant_equations(equations, state)
+        && let Some(refined) = beside(equations, state)
+    {
+        *state = refined;
     }
+}
+
+/// The state next to a change point from states on both sides; None if there is none.
+fn beside<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, here: &State<T, N>) -> Option<State<T, N>> {
     let scale = Scale::of(equations);
     let speed = scale.norm(&here.qd);
     // The change point is about 1 / condition away.
