@@ -209,16 +209,36 @@ pub(super) fn kinetic(model: &Model, arena: &mut Arena) -> Expr {
     arena.div(twice, two)
 }
 
-/// A (I' ω̇' + ω' × I' ω'), with ω' = Aᵀ ω and ω̇' = Aᵀ ω̇: in the axes of the body, where I' is constant.
+/// A (I' ω̇' + ω' × I' ω'), with ω' = Aᵀ ω and ω̇' = Aᵀ ω̇: in the axes of the body, where I' is constant; I ω̇ if inertia is the same about
+/// all axes.
 fn euler(arena: &mut Arena, declared: &Mass, body: usize, speed: Triple, turning: Triple) -> Triple {
     let zero = arena.integer(0);
     let Some(inertia) = &declared.inertia else { return [zero; 3] };
+    if is_about_principal_axes(inertia, zero) && inertia[0] == inertia[1] && inertia[1] == inertia[2] {
+        return turning.map(|part| arena.mul(inertia[0], part));
+    }
     let axes = axes(arena, body);
     let [speed, turning] = [speed, turning].map(|vector| axes.map(|axis| dot(arena, axis, vector)));
-    let [spin, change] = [speed, turning].map(|vector| inertia_times(arena, inertia, vector));
-    let gyroscopic = cross(arena, speed, spin);
+    let (change, gyroscopic) = (inertia_times(arena, inertia, turning), gyroscopic(arena, inertia, speed));
     let sum = [0, 1, 2].map(|k| arena.add(change[k], gyroscopic[k]));
     combination(arena, sum, axes)
+}
+
+/// ω' × I' ω', in the axes of a body; about principal axes by the differences of the moments of inertia.
+pub(super) fn gyroscopic(arena: &mut Arena, inertia: &[Expr], spin: Triple) -> Triple {
+    if !is_about_principal_axes(inertia, arena.integer(0)) {
+        let momentum = inertia_times(arena, inertia, spin);
+        return cross(arena, spin, momentum);
+    }
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| {
+        let (rest, product) = (arena.sub(inertia[j], inertia[i]), arena.mul(spin[i], spin[j]));
+        arena.mul(rest, product)
+    })
+}
+
+/// True if the products of inertia vanish.
+fn is_about_principal_axes(inertia: &[Expr], zero: Expr) -> bool {
+    inertia[3..].iter().all(|product| *product == zero)
 }
 
 /// The axes of a body in ground.

@@ -5,7 +5,7 @@
 //! rotation        I ω̇ + ω × I ω + c × m (Aᵀ (a − g) + ω̇ × c + ω × (ω × c)) − Σ p × Aᵀ F − Σ Aᵀ T     in the axes of the body
 //! ```
 
-use super::dynamics::{axes, inertia_times, number};
+use super::dynamics::{axes, gyroscopic, inertia_times, number};
 use crate::expr::{Arena, Expr, Leaf, Triple, combination, cross, derivative, dot};
 use crate::model::{Force, Mass, Model};
 
@@ -81,8 +81,7 @@ impl OwnMotion {
         let own = own.map(|part| arena.mul(weight, part));
         let mut torque = cross(arena, center, own);
         if let Some(inertia) = &mass.inertia {
-            let [momentum, growth] = [self.spin, self.change].map(|vector| inertia_times(arena, inertia, vector));
-            let gyroscopic = cross(arena, self.spin, momentum);
+            let (growth, gyroscopic) = (inertia_times(arena, inertia, self.change), gyroscopic(arena, inertia, self.spin));
             let euler = sum(arena, growth, gyroscopic);
             torque = sum(arena, torque, euler);
         }
