@@ -10,6 +10,7 @@
 //! Determinants and pivots are compared with their terms while they are used: where one is too small, the runtime eliminates all rows with
 //! complete pivoting.
 
+use super::axes::AxesOfBody;
 use super::cofactors::{BY_COFACTORS, Cofactors};
 use super::elimination::SparseRows;
 use super::order::{Grouping, OpenRows};
@@ -57,7 +58,8 @@ pub(crate) fn loads(model: &Model, system: &System, structure: &Structure, assem
     let closed = is_square.then(|| {
         at_defaults(model, system, |numeric| {
             let numbers = numbers(numeric, &mut arena, assembly, equations);
-            LoadMatrix::new(&mut arena, equations, numbers, numeric.size).multipliers()
+            let first_cosine = (model.ambient == Ambient::Space).then_some(system.coordinates.len());
+            LoadMatrix::new(&mut arena, equations, numbers, (numeric.size, first_cosine)).multipliers()
         })
     });
     let closed = closed.flatten().map(|(mut values, checks)| {
@@ -166,11 +168,18 @@ struct LoadMatrix<'a> {
     lengths: Vec<f64>,
     /// Sum of the sizes of each row where the mechanism is assembled.
     sizes: Vec<f64>,
+    /// In space the number of the first entry of a rotation matrix.
+    first_cosine: Option<usize>,
     checks: Vec<[Expr; 2]>,
 }
 
 impl<'a> LoadMatrix<'a> {
-    fn new(arena: &'a mut Arena, equations: &LoadEquations, numbers: BTreeMap<(usize, usize), f64>, size: f64) -> LoadMatrix<'a> {
+    fn new(
+        arena: &'a mut Arena,
+        equations: &LoadEquations,
+        numbers: BTreeMap<(usize, usize), f64>,
+        (size, first_cosine): (f64, Option<usize>),
+    ) -> LoadMatrix<'a> {
         let count = equations.forces.len();
         let (mut entries, mut values) = (vec![BTreeMap::new(); count], vec![BTreeMap::new(); count]);
         for (column, row) in equations.rows.iter().enumerate() {
@@ -197,6 +206,7 @@ impl<'a> LoadMatrix<'a> {
             open: [(0..count).collect(), (0..count).collect()],
             pivots: Vec::new(),
             lengths,
+            first_cosine,
             checks: Vec::new(),
         }
     }
@@ -302,6 +312,8 @@ impl<'a> LoadMatrix<'a> {
         let matrix: Vec<Vec<Expr>> = rows.iter().map(|row| columns.iter().map(|column| entry(row, column)).collect()).collect();
         let found = if let ([row], [column]) = (rows, columns) {
             vec![self.by_pivot(*row, *column, matrix[0][0], sides[0])]
+        } else if let Some(found) = self.along_axes(&matrix, &sides) {
+            found
         } else if rows.len() <= BY_COFACTORS {
             self.by_cofactors(&matrix, &sides)
         } else {
@@ -330,6 +342,12 @@ impl<'a> LoadMatrix<'a> {
             self.checks.push(check);
         }
         self.arena.div(side, pivot)
+    }
+
+    /// The unknowns of a block whose columns are the axes of a body.
+    fn along_axes(&mut self, matrix: &[Vec<Expr>], sides: &[Expr]) -> Option<Vec<Expr>> {
+        let axes = AxesOfBody::find(self.arena, matrix, self.first_cosine?)?;
+        Some(axes.solve(self.arena, sides))
     }
 
     /// A⁻¹ b of two or three rows.

@@ -9,6 +9,7 @@
 //! J u̇ = γ
 //! ```
 
+mod axes;
 mod check;
 mod cofactors;
 mod elimination;
