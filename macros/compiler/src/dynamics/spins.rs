@@ -160,8 +160,10 @@ impl Quaternion {
         };
         let [norm, growth, square] =
             [[components, components], [components, rates], [rates, rates]].map(|[a, b]| sum_of_products(arena, a, b));
-        let (one, two) = (arena.integer(1), arena.integer(2));
-        let (inverse, h) = (arena.div(one, norm), arena.div(two, norm));
+        let two = arena.integer(2);
+        let h = arena.div(two, norm);
+        // One division: half of h is exact.
+        let inverse = arena.div(h, two);
         let [[scalar, x, y, z], [rate, dx, dy, dz]] = [components, rates];
         let vector = [x, y, z];
         // vec(ē ė) = e₀ ė − ė₀ e − e × ė
