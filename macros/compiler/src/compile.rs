@@ -176,10 +176,10 @@ fn after_names(model: Model, diag: &mut Diag) -> Option<Compiled> {
     // There is an initial configuration; it is assembled unless the mechanism allows others.
     let motion = travel::follow(&model, &system, &structure, &assembly, diag)?;
     // The motion continues over its declared range, as far as it was followed.
-    let dynamics = dynamics::derive(&model, &system, &structure, &assembly, diag)?;
-    // The equations of motion of an integrated mechanism are known; all other coordinates are functions of its freedoms.
     let loads = dynamics::loads(&model, &system, &structure, &assembly);
     // Loads of joints and drives are known, if there are masses or forces.
+    let dynamics = dynamics::derive(&model, &system, &structure, &assembly, loads.as_ref(), diag)?;
+    // The equations of motion of an integrated mechanism are known; all other coordinates are functions of its freedoms.
     let plan = plan::schedule(&model, &system, &structure, &assembly, dynamics.as_ref(), loads.as_ref(), diag)?;
     // All decisions about the generated code are made.
     let picture = picture::draw(&model, &system, &assembly);

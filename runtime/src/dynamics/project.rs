@@ -223,7 +223,21 @@ where
     };
     let mut qdd = state.qdd;
     put(&mut qdd, &S::INTEGRATED, &found);
-    let [q, qd, qdd] = mechanism.complete(&state.q, &state.qd, &qdd, state.t);
+    let completed = mechanism.complete(&state.q, &state.qd, &qdd, state.t);
+    enter(mechanism, state, completed)
+}
+
+/// Gives a state completed entries: positions, speeds, and accelerations that follow from them.
+#[inline(always)]
+pub fn enter<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    state: &mut State<T, N>,
+    [q, qd, qdd]: [SVector<T, N>; 3],
+) -> Result<(), Stopped<T>>
+where
+    T: Float,
+    S: Dynamics<T, N, I, M, R>,
+{
     if !(is_finite(&q) && is_finite(&qd) && is_finite(&qdd)) {
         return Err(Stopped::NotFinite { time: state.t });
     }

@@ -20,10 +20,8 @@ use std::collections::BTreeMap;
 pub struct Accelerations {
     /// u̇, by integrated speed.
     pub values: Vec<Expr>,
-    /// Pivots and determinants of J, each with the number that its size has to exceed.
-    pub pivots: Vec<[Expr; 2]>,
-    /// Pivots of the mass matrix, each with the number that it has to exceed.
-    pub masses: Vec<[Expr; 2]>,
+    /// Sizes of pivots and determinants of J, then pivots of the mass matrix, each with the number that it has to exceed.
+    pub checks: Vec<[Expr; 2]>,
 }
 
 /// Adds a product to a sum.
@@ -105,7 +103,9 @@ pub(super) fn accelerations(
     for (motion, factor) in motions.iter().zip(factors) {
         values.iter_mut().zip(motion).for_each(|(value, part)| add_product(arena, value, *part, factor));
     }
-    Accelerations { values, pivots, masses }
+    let mut checks: Vec<[Expr; 2]> = pivots.into_iter().map(|[pivot, least]| [arena.unary(Unary::Abs, pivot), least]).collect();
+    checks.extend(masses);
+    Accelerations { values, checks }
 }
 
 impl<'a> SparseRows<'a> {

@@ -22,6 +22,7 @@ mod squares;
 #[cfg(test)]
 mod tests;
 mod trust;
+mod with_loads;
 
 use crate::assembly::Assembly;
 use crate::diag::Diag;
@@ -39,6 +40,7 @@ use order::{Grouping, OpenRows};
 use spins::BySpins;
 use std::collections::{BTreeMap, HashMap};
 use trust::Trust;
+pub use with_loads::WithLoads;
 
 /// Equations of motion.
 #[derive(Clone, Debug)]
@@ -66,6 +68,8 @@ pub struct Dynamics {
     pub energies: [Expr; 3],
     /// Accelerations in closed form, if there are not too many freedoms.
     pub accelerations: Option<Accelerations>,
+    /// The same with all loads, if both have a closed form.
+    pub with_loads: Option<WithLoads>,
     /// 0
     pub zero: Expr,
     /// Where bodies are free to turn: the equations from which accelerations are found in closed form.
@@ -147,12 +151,14 @@ pub(crate) fn derive(
     system: &System,
     structure: &Structure,
     assembly: &Assembly,
+    loads: Option<&Loads>,
     diag: &mut Diag,
 ) -> Option<Option<Dynamics>> {
     let Some(balance) = &system.balance else { return Some(None) };
     let mut dynamics = reduce(system, structure, balance);
     check::check(model, system, assembly, &dynamics, diag)?;
     dynamics.accelerations = at_defaults(model, system, |numeric| dynamics.in_closed_form(numeric, assembly));
+    dynamics.with_loads = loads.and_then(|loads| WithLoads::new(&mut dynamics, loads));
     Some(Some(dynamics))
 }
 
@@ -210,6 +216,7 @@ fn reduce(system: &System, structure: &Structure, balance: &Balance) -> Dynamics
         state,
         energies: [kinetic, potential, power],
         accelerations: None,
+        with_loads: None,
         zero,
         by_spins,
     }

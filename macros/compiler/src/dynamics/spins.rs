@@ -124,13 +124,13 @@ impl BySpins {
         }
         let mut of = |expr: Expr| spins.of(arena, expr);
         let values: Vec<Expr> = found.values.into_iter().map(&mut of).collect();
-        let [pivots, masses] = [found.pivots, found.masses].map(|list| list.into_iter().map(|pair| pair.map(&mut of)).collect());
+        let checks = found.checks.into_iter().map(|pair| pair.map(&mut of)).collect();
         let mut values: HashMap<usize, Expr> = self.speeds.iter().copied().zip(values).collect();
         for quaternion in &quaternions {
             let changes = [0, 1, 2].map(|k| values[&(quaternion.first + k)]);
             values.extend((quaternion.first..).zip(quaternion.second_derivative(arena, changes)));
         }
-        Accelerations { values: integrated.iter().map(|unknown| values[unknown]).collect(), pivots, masses }
+        Accelerations { values: integrated.iter().map(|unknown| values[unknown]).collect(), checks }
     }
 }
 

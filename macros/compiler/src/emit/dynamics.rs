@@ -3,6 +3,7 @@
 use super::expression::local;
 use super::functions::Emitter;
 use super::literal::{matrix_type, number, real, vector_type};
+use super::loads::{are_steady, parts};
 use super::routine::{RoutinePrinter, fast_lines};
 use super::{allowed, docs, state_path};
 use crate::plan::{DynamicsCode, Routine};
@@ -73,14 +74,8 @@ impl Emitter<'_> {
         let accelerations = code.accelerations.as_ref().map(|routine| self.accelerations(code, routine, (n, i)));
         let checked = (!code.checked_rows.is_empty()).then(|| self.checks(code, n));
         let state = fast_lines(self.model, &code.arena, &code.state);
-        let (reads_of_state, steps_of_state) = (&state.reads, &state.steps);
-        let parts = [0, 1, 2].map(|part| {
-            let values = state.results.iter().skip(part).step_by(3);
-            quote!(::core::convert::From::from([#(#values),*]))
-        });
-        let energy = fast_lines(self.model, &code.arena, &code.energies);
-        let (reads_of_energy, steps_of_energy) = (&energy.reads, &energy.steps);
-        let [kinetic, potential, power] = [0, 1, 2].map(|part| &energy.results[part]);
+        let (reads_of_state, steps_of_state, parts) = (&state.reads, &state.steps, parts(&state.results));
+        let energy = self.energies(&code.arena, &code.energies);
         quote! {
             fn constraints(&self, #q: &#of_state, #t: T) -> ::reuleaux::Constraints<T, #number_m, #number_i> { #constraints }
             fn initial(&self, #q: &#of_state, #t: T) -> ::reuleaux::Constraints<T, #number_r, #number_i> { #initial }
@@ -102,33 +97,22 @@ impl Emitter<'_> {
                 #steps_of_state
                 [#(#parts),*]
             }
-            fn energy(&self, #q: &#of_state, #qd: &#of_state, #t: T) -> ::reuleaux::Energy<T> {
-                #reads_of_energy
-                #steps_of_energy
-                ::reuleaux::Energy { kinetic: #kinetic, potential: #potential, power: #power }
-            }
+            fn energy(&self, #q: &#of_state, #qd: &#of_state, #t: T) -> ::reuleaux::Energy<T> { #energy }
         }
     }
 
     /// u̇ in closed form, unless a pivot is too small.
     fn accelerations(&self, code: &DynamicsCode, routine: &Routine, (n, i): (usize, usize)) -> TokenStream {
         let [q, qd, t] = ["q", "qd", "t"].map(local);
-        let (of_state, of_speeds) = (vector_type(n), vector_type(i));
         let RoutinePrinter { reads, steps, results } = fast_lines(self.model, &code.arena, routine);
-        let (values, pivots) = results.split_at(i);
-        let masses = pivots.len() / 2 - code.masses;
-        let is_steady = |(number, pair): (usize, &[TokenStream])| {
-            let (pivot, least) = (&pair[0], &pair[1]);
-            if number < masses { quote!((#pivot).abs() > #least) } else { quote!(#pivot > #least) }
-        };
-        let are_steady: Vec<TokenStream> = pivots.chunks(2).enumerate().map(is_steady).collect();
+        let (values, checks) = results.split_at(i);
+        let (of_state, of_speeds, are_steady) = (vector_type(n), vector_type(i), are_steady(checks));
         quote! {
             #[inline(always)]
             fn accelerations(&self, #q: &#of_state, #qd: &#of_state, #t: T) -> ::core::option::Option<#of_speeds> {
                 #reads
                 #steps
-                let are_steady = true #(& (#are_steady))*;
-                if !are_steady {
+                if !(#are_steady) {
                     return ::core::option::Option::None;
                 }
                 ::core::option::Option::Some(::core::convert::From::from([#(#values),*]))

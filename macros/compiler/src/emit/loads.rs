@@ -5,7 +5,8 @@ use super::functions::Emitter;
 use super::literal::{matrix_type, number, real, vector_type};
 use super::routine::{RoutinePrinter, fast_lines};
 use super::{allowed, docs, state_path};
-use crate::plan::LoadsCode;
+use crate::expr::Arena;
+use crate::plan::{LoadsCode, Routine};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
@@ -15,25 +16,29 @@ impl Emitter<'_> {
         let Some(code) = &self.plan.loads else { return quote!() };
         let (name, visibility, state) = (&self.model.name, &self.model.visibility, state_path(&self.model.name));
         let loads = format_ident!("{}Loads", name, span = Span::call_site());
-        let (general, closed) = (self.loads_in_general(code), self.loads_in_closed_form(code));
-        let methods = self.methods_of_loads(code);
+        let closed = code.closed.as_ref().map(|routine| self.closed_form("loads_in_closed_form", (&code.arena, routine), code, 0));
+        let dynamics = self.plan.dynamics.as_ref();
+        let both = dynamics.and_then(|found| Some((&found.arena, found.with_loads.as_ref()?)));
+        let both = both.map(|both| self.closed_form("motion_with_loads", both, code, self.system.width()));
+        let (general, methods) = (self.loads_in_general(code), self.methods_of_loads(code));
         let alone: TokenStream = code.named.iter().filter(|load| load.is_slice).map(|load| self.load_alone(load, code)).collect();
         let (m, width, allowed) = (number(code.multipliers), number(code.width), allowed());
         let first = closed.is_some().then(|| {
             quote! {
-                if let ::core::option::Option::Some((multipliers, actions)) = self.loads_in_closed_form(state) {
+                if let ::core::option::Option::Some((_, multipliers, actions)) = self.loads_in_closed_form(state) {
                     return #loads { loads: ::reuleaux::Loads::unique(multipliers, actions) };
                 }
             }
         });
         let refreshed = self.refreshed(&quote!(#loads { loads: ::reuleaux::Loads::unknown() }));
-        let with_motion = self.plan.dynamics.is_some().then(|| accelerate_with_loads(&state, &loads, first.as_ref()));
+        let with_motion = dynamics.map(|_| accelerate_with_loads(&state, &loads, both.is_some()));
         let energy = self.plan.dynamics.is_none().then(|| self.energy(code));
         let page = docs::line(&format!("Loads of [`{name}`]: multipliers, and what every joint and drive does to its bodies."));
         quote! {
             #allowed
             impl<T: ::reuleaux::Scalar> #name<T> {
                 #closed
+                #both
                 #general
                 /// The loads in a state: Φ_uᵀ λ = Q − M u̇, solved for the multipliers λ.
                 ///
@@ -95,8 +100,8 @@ impl Emitter<'_> {
             let (row, speed) = (number(*row), number(*speed));
             quote!(jacobian[(#row, #speed)] = #value;)
         });
-        let actions = fast_lines(self.model, &code.arena, &code.actions);
-        let (reads_of_actions, steps_of_actions, values) = (&actions.reads, &actions.steps, &actions.results);
+        let RoutinePrinter { reads: reads_of_actions, steps: steps_of_actions, results: values } =
+            fast_lines(self.model, &code.arena, &code.actions);
         let data: Vec<Ident> = (0..m).map(|number| local(&format!("d{number}"))).collect();
         let (zero, motion) = (real(0.0), motion());
         quote! {
@@ -120,51 +125,73 @@ impl Emitter<'_> {
 
     /// Energies of a driven mechanism.
     fn energy(&self, code: &LoadsCode) -> TokenStream {
-        let RoutinePrinter { reads, steps, results } = fast_lines(self.model, &code.arena, &code.energies);
-        let (state, motion, [kinetic, potential, power]) = (state_path(&self.model.name), motion(), [0, 1, 2].map(|k| &results[k]));
+        let (energies, state, motion) = (self.energies(&code.arena, &code.energies), state_path(&self.model.name), motion());
         quote! {
             /// Kinetic energy, potential energy of gravity and of each `energy`, and the power of the forces declared.
             #[must_use]
             pub fn energy(&self, state: &#state<T>) -> ::reuleaux::Energy<T> {
                 #motion
-                #reads
-                #steps
-                ::reuleaux::Energy { kinetic: #kinetic, potential: #potential, power: #power }
+                #energies
             }
         }
     }
 
-    /// λ and the loads of joints and drives; `None` if a pivot is too small.
-    fn loads_in_closed_form(&self, code: &LoadsCode) -> Option<TokenStream> {
-        let RoutinePrinter { reads, steps, results } = fast_lines(self.model, &code.arena, code.closed.as_ref()?);
-        let state = state_path(&self.model.name);
-        let (multipliers, rest) = results.split_at(code.multipliers);
+    /// Computes kinetic energy, potential energy and power.
+    pub(super) fn energies(&self, arena: &Arena, routine: &Routine) -> TokenStream {
+        let RoutinePrinter { reads, steps, results } = fast_lines(self.model, arena, routine);
+        quote!(#reads #steps { let [kinetic, potential, power] = [#(#results),*]; ::reuleaux::Energy { kinetic, potential, power } })
+    }
+
+    /// The motion of `entries` entries of the state, λ, and the loads of joints and drives; `None` if a pivot is too small.
+    fn closed_form(&self, name: &str, (arena, routine): (&Arena, &Routine), code: &LoadsCode, entries: usize) -> TokenStream {
+        let RoutinePrinter { reads, steps, results } = fast_lines(self.model, arena, routine);
+        let (name, state) = (local(name), state_path(&self.model.name));
+        let (entered, rest) = results.split_at(3 * entries);
+        let (multipliers, rest) = rest.split_at(code.multipliers);
         let (actions, checks) = rest.split_at(code.width);
-        let are_steady = checks.chunks(2).map(|pair| {
-            let (size, least) = (&pair[0], &pair[1]);
-            quote!(#size > #least)
-        });
-        let (of_lambda, of_actions, motion) = (vector_type(code.multipliers), vector_type(code.width), motion());
-        Some(quote! {
+        let (parts, are_steady, motion) = (parts(entered), are_steady(checks), motion());
+        let (of_motion, of_lambda, of_actions) = (vector_type(entries), vector_type(code.multipliers), vector_type(code.width));
+        quote! {
             #[inline(always)]
-            fn loads_in_closed_form(&self, state: &#state<T>) -> ::core::option::Option<(#of_lambda, #of_actions)> {
+            fn #name(&self, state: &#state<T>) -> ::core::option::Option<([#of_motion; 3], #of_lambda, #of_actions)> {
                 #motion
                 #reads
                 #steps
-                let are_steady = true #(& (#are_steady))*;
-                if !are_steady {
+                if !(#are_steady) {
                     return ::core::option::Option::None;
                 }
                 let multipliers = ::core::convert::From::from([#(#multipliers),*]);
                 let actions = ::core::convert::From::from([#(#actions),*]);
-                ::core::option::Option::Some((multipliers, actions))
+                ::core::option::Option::Some(([#(#parts),*], multipliers, actions))
             }
-        })
+        }
     }
 }
 
-/// Accelerations and loads of a state in one method; `first` returns the loads that are known in closed form.
-fn accelerate_with_loads(state: &TokenStream, loads: &Ident, first: Option<&TokenStream>) -> TokenStream {
+/// Each checked number exceeds its lower bound.
+pub(super) fn are_steady(checks: &[TokenStream]) -> TokenStream {
+    let (sizes, bounds) = (checks.iter().step_by(2), checks.iter().skip(1).step_by(2));
+    quote!(true #(& (#sizes > #bounds))*)
+}
+
+/// Vectors of values, rates and accelerations, which follow each other.
+pub(super) fn parts(results: &[TokenStream]) -> [TokenStream; 3] {
+    [0, 1, 2].map(|part| {
+        let values = results.iter().skip(part).step_by(3);
+        quote!(::core::convert::From::from([#(#values),*]))
+    })
+}
+
+/// Accelerations and loads of a state in one method; `are_together` if one routine has both.
+fn accelerate_with_loads(state: &TokenStream, loads: &Ident, are_together: bool) -> TokenStream {
+    let together = are_together.then(|| {
+        quote! {
+            if let ::core::option::Option::Some((motion, multipliers, actions)) = self.motion_with_loads(state) {
+                ::reuleaux::motion::enter(self, &mut state.0, motion)?;
+                return ::core::result::Result::Ok(#loads { loads: ::reuleaux::Loads::unique(multipliers, actions) });
+            }
+        }
+    });
     quote! {
         /// `accelerate` and `loads` in one call, which computes sines and determinants once: the right-hand side of the equations of motion
         /// with all multipliers.
@@ -172,12 +199,9 @@ fn accelerate_with_loads(state: &TokenStream, loads: &Ident, first: Option<&Toke
         /// # Errors
         /// Why there are no accelerations.
         pub fn accelerate_with_loads(&self, state: &mut #state<T>) -> ::core::result::Result<#loads<T>, ::reuleaux::Stopped<T>> {
-            ::reuleaux::motion::refresh_inlined(self, &mut state.0)?;
-            let found = || {
-                #first
-                self.loads(state)
-            };
-            ::core::result::Result::Ok(found())
+            #together
+            self.accelerate(state)?;
+            ::core::result::Result::Ok(self.loads(state))
         }
     }
 }

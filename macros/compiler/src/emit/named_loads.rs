@@ -2,7 +2,7 @@
 
 use super::functions::Emitter;
 use super::literal::number;
-use super::loads::motion;
+use super::loads::{are_steady, motion};
 use super::routine::{RoutinePrinter, fast_lines};
 use super::{docs, identifier, state_path};
 use crate::plan::{LoadKind, LoadsCode, NamedLoad};
@@ -48,19 +48,14 @@ impl Emitter<'_> {
                 let RoutinePrinter { reads, steps, results } = fast_lines(self.model, &code.arena, routine);
                 let (multipliers, rest) = results.split_at(read.multipliers.len());
                 let (actions, checks) = rest.split_at(load.actions.len());
-                let are_steady = checks.chunks(2).map(|pair| {
-                    let (size, least) = (&pair[0], &pair[1]);
-                    quote!(#size > #least)
-                });
-                let (m, width, motion) = (number(multipliers.len()), number(actions.len()), motion());
+                let (m, width, motion, are_steady) = (number(multipliers.len()), number(actions.len()), motion(), are_steady(checks));
                 let refreshed = match load.kind {
                     LoadKind::Force(_) => None,
                     _ => self.refreshed(&quote!(::reuleaux::Loads::<T, #m, #width>::unknown().#call)),
                 };
                 let watch = (!checks.is_empty()).then(|| {
                     quote! {
-                        let are_steady = true #(& (#are_steady))*;
-                        if !are_steady {
+                        if !(#are_steady) {
                             return self.loads(state).#own();
                         }
                     }
@@ -87,13 +82,11 @@ impl Emitter<'_> {
 
     /// How a load is read where its multipliers and its actions begin at these places.
     fn reading(&self, load: &NamedLoad, first: usize, at: usize) -> Reading {
-        let (name, path) = (
-            &load.name,
-            match self.model.ambient {
-                Ambient::Plane => "Planar",
-                Ambient::Space => "Spatial",
-            },
-        );
+        let name = &load.name;
+        let path = match self.model.ambient {
+            Ambient::Plane => "Planar",
+            Ambient::Space => "Spatial",
+        };
         let count = load.multipliers.len();
         let (from, to, place) = (number(first), number(first + count), number(at));
         match &load.kind {

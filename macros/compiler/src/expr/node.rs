@@ -172,6 +172,20 @@ pub enum Node {
 }
 
 impl Node {
+    /// The same operation on other operands.
+    pub(crate) fn with_children(self, mut of: impl FnMut(Expr) -> Expr) -> Node {
+        match self {
+            Node::Constant(_) | Node::Leaf(_) => self,
+            Node::Unary(function, a) => Node::Unary(function, of(a)),
+            Node::Binary(function, a, b) => Node::Binary(function, of(a), of(b)),
+            Node::Select { lhs, rhs, then, otherwise } => {
+                Node::Select { lhs: of(lhs), rhs: of(rhs), then: of(then), otherwise: of(otherwise) }
+            }
+            Node::Call { function, order, argument } => Node::Call { function, order, argument: of(argument) },
+            Node::Marked { mark, value } => Node::Marked { mark, value: of(value) },
+        }
+    }
+
     /// The operands, in writing order.
     pub fn children(&self) -> impl Iterator<Item = Expr> + use<> {
         let operands = match *self {

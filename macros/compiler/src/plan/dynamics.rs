@@ -33,10 +33,11 @@ pub struct DynamicsCode {
     pub checked: Routine,
     /// J row by row, γ, the lower triangle of M row by row, f.
     pub balance: Routine,
-    /// u̇, then the pivots and determinants of its computation, each with the number that it has to exceed; those of masses last.
+    /// u̇, then the checked numbers of its computation, each with the number that it has to exceed.
     pub accelerations: Option<Routine>,
-    /// Number of pivots of masses.
-    pub masses: usize,
+    /// Value, rate and acceleration of every entry of the state with the accelerations of its positions and speeds; λ, the loads of joints and
+    /// drives, and each checked number with its lower bound.
+    pub with_loads: Option<Routine>,
     /// Value, rate and acceleration of every entry of the state.
     pub state: Routine,
     /// Kinetic energy, potential energy, power.
@@ -70,13 +71,16 @@ pub(super) fn code(model: &Model, system: &System, dynamics: &Dynamics) -> Dynam
         redundant: dynamics.redundant.len(),
         checked_rows: checked.iter().map(|(joint, _, power)| (*joint, *power)).collect(),
         checked: line(checked.iter().map(|(_, phi, _)| *phi).collect()),
-        masses: dynamics.accelerations.as_ref().map_or(0, |found| found.masses.len()),
         constraints: line(kinematics(rows)),
         initial: line(kinematics(&all)),
         balance: line(entries(rows).into_iter().chain(gamma).chain(mass.iter().chain(forces).copied()).collect()),
         accelerations: dynamics.accelerations.as_ref().map(|found| {
-            let pivots = found.pivots.iter().chain(&found.masses).flatten();
-            line(found.values.iter().chain(pivots).copied().collect())
+            let results = found.values.iter().chain(found.checks.iter().flatten());
+            line(results.copied().collect())
+        }),
+        with_loads: dynamics.with_loads.as_ref().map(|found| {
+            let results = found.state.iter().flatten().chain(&found.loads).chain(found.checks.iter().flatten());
+            line(results.copied().collect())
         }),
         state: line(state.iter().flatten().copied().collect()),
         energies: line(energies.to_vec()),
