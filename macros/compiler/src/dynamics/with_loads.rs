@@ -1,7 +1,7 @@
 //! Accelerations, the whole state and its loads in one routine, which computes sines and determinants once.
 
 use super::{Dynamics, Loads, Multipliers};
-use crate::expr::{Arena, Expr, Leaf, Node};
+use crate::expr::{Arena, Exact, Expr, Leaf, Node};
 use std::collections::HashMap;
 
 /// A state and its loads as functions of the integrated coordinates and speeds.
@@ -48,13 +48,16 @@ struct Entering<'a> {
 }
 
 impl Entering<'_> {
-    /// The expression, operation by operation, so that its value stays the same bit for bit: only operations with 0 are left out.
+    /// The expression, operation by operation, so that its value stays the same bit for bit: only operations with 0 are left out. Where all
+    /// operands have become numbers, so does the result, rounded as it would be at run time.
     fn of(&mut self, arena: &mut Arena, root: Expr) -> Expr {
         let zero = arena.integer(0);
         for expr in self.from.reachable_until(&[root], |expr| self.memo.contains_key(&expr)) {
             let node = self.from.node(expr).with_children(|child| self.memo[&child]);
-            let entered = match node {
-                Node::Leaf(leaf) => self.known.get(&leaf).copied().unwrap_or_else(|| arena.leaf(leaf)),
+            let number = node.value(|child| arena.value(child)).filter(|_| self.from.value(expr).is_none());
+            let entered = match (node, number.and_then(Exact::binary)) {
+                (_, Some(number)) => arena.constant(number),
+                (Node::Leaf(leaf), _) => self.known.get(&leaf).copied().unwrap_or_else(|| arena.leaf(leaf)),
                 _ if node.children().any(|child| child == zero) => arena.build(node),
                 _ => arena.place(node),
             };

@@ -84,7 +84,7 @@ pub fn evaluate(arena: &Arena, roots: &[Expr], values: &Values) -> Vec<f64> {
 
 impl Node {
     /// The value of an operation on constants; `None` if an operand has no value.
-    pub(super) fn value(&self, of: impl Fn(Expr) -> Option<f64>) -> Option<f64> {
+    pub(crate) fn value(&self, of: impl Fn(Expr) -> Option<f64>) -> Option<f64> {
         Some(match *self {
             Node::Constant(value) => value.to_f64(),
             Node::Leaf(_) | Node::Call { .. } => return None,
