@@ -146,7 +146,8 @@ pub use api::{
 };
 #[doc(hidden)]
 pub use api::{
-    Named, Output, Relation, advance_with_inputs, between, finite, listed, require, solve_with_inputs, sweep_with_inputs, within,
+    Named, Output, Relation, advance_once_with_inputs, advance_with_inputs, between, finite, listed, require, solve_with_inputs,
+    sweep_with_inputs, within,
 };
 #[doc(hidden)]
 pub use dynamics::motion;

@@ -5,7 +5,7 @@
 //! are right. A changed hash means that some bit of some state has changed; a commit that changes it gives the reason.
 //! `REULEAUX_BITS=print` prints the new hashes.
 
-use reuleaux::{Equations, Float, Real, State, mechanism};
+use reuleaux::{Equations, Float, Real, Scalar, State, mechanism};
 use reuleaux_wide::{F32x8, F64x4, Lockstep, Wide};
 
 mechanism! {

@@ -63,6 +63,47 @@ fn a_loop_with_inputs_follows_the_law_that_they_are_taken_from() {
 }
 
 #[test]
+fn a_single_step_reaches_the_state_of_advance_or_changes_nothing() {
+    let measured = Measured::default();
+    let start = measured.solve(0.0, MeasuredInputs { theta: law(0.0) }).unwrap();
+    let (mut once, mut expected) = (start.clone(), start.clone());
+    for step in 1..=300 {
+        let t = 2e-3 * f64::from(step);
+        let inputs = MeasuredInputs { theta: law(t) };
+        assert!(measured.advance_once(&mut once, t, inputs), "{t}");
+        measured.advance(&mut expected, t, inputs).unwrap();
+        assert_eq!(once, expected);
+    }
+    // A third of a turn at once is no warm step, and an angle that is no number has no state.
+    for theta in [Motion::at(start.crank().angle + 2.1), Motion::at(f64::NAN)] {
+        let mut same = start.clone();
+        assert!(!measured.advance_once(&mut same, 2e-3, MeasuredInputs { theta }));
+        assert_eq!(same, start);
+    }
+}
+
+#[test]
+fn a_single_step_by_laws_of_time_is_that_of_advance() {
+    use reuleaux::Mechanism;
+    let driven = Driven::default();
+    let start = driven.solve(0.0).unwrap();
+    let (mut once, mut expected) = (start.clone(), start.clone());
+    for step in 1..=300 {
+        let t = 2e-3 * f64::from(step);
+        assert!(driven.advance_once(&mut once.0, t));
+        driven.advance(&mut expected, t).unwrap();
+        assert_eq!(once, expected);
+    }
+    let mut same = start.clone();
+    assert!(!driven.advance_once(&mut same.0, 0.5) && !driven.advance_once(&mut same.0, f64::INFINITY));
+    assert_eq!(same, start);
+    // A state of other parameters is not stepped from.
+    let longer = Driven { crank_length: 0.11 };
+    assert!(!longer.advance_once(&mut same.0, 2e-3));
+    assert_eq!(same, start);
+}
+
+#[test]
 fn loads_read_the_inputs_of_the_state() {
     let (measured, driven) = (Measured::default(), Driven::default());
     let t = 0.73;

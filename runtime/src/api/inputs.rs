@@ -51,6 +51,23 @@ pub fn advance_with_inputs<T: Float, E: Commanded<T> + Stages<T, N>, const N: us
     Ok(())
 }
 
+/// Takes a state to time `t` (s) and these inputs by one warm step: whether that was enough. If not, nothing is changed.
+#[doc(hidden)]
+#[inline]
+pub fn advance_once_with_inputs<T: Float, E: Commanded<T> + Stages<T, N>, const N: usize>(
+    mechanism: &E,
+    state: &mut State<T, N>,
+    before: &mut E::Inputs,
+    t: T,
+    inputs: E::Inputs,
+) -> bool {
+    let is_made = path::step(&mechanism.with(inputs), state, t);
+    if is_made {
+        *before = inputs;
+    }
+    is_made
+}
+
 #[cold]
 #[inline(never)]
 fn by_steps<T: Float, E: Commanded<T> + Stages<T, N>, const N: usize>(

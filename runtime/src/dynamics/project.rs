@@ -235,7 +235,7 @@ pub fn enter<T, S, const N: usize, const I: usize, const M: usize, const R: usiz
     [q, qd, qdd]: [SVector<T, N>; 3],
 ) -> Result<(), Stopped<T>>
 where
-    T: Float,
+    T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     if !(is_finite(&q) && is_finite(&qd) && is_finite(&qdd)) {

@@ -16,7 +16,8 @@ pub(super) fn type_name(mechanism: &Ident) -> Ident {
 pub(super) fn solve(model: &Model, system: &System) -> TokenStream {
     let (name, state, inputs) = (&model.name, state_path(&model.name), type_name(&model.name));
     let (vector, n) = (vector_type(system.width()), number(system.width()));
-    let (result, allowed, functions) = (result(&state, &n), allowed(), functions(&state, &inputs, &vector, &n));
+    let result = quote!(::core::result::Result<#state<T>, ::reuleaux::Failure<T, #n>>);
+    let (allowed, functions) = (allowed(), functions(&state, &inputs, &result, [&vector, &n]));
     quote! {
         #allowed
         impl<T: ::reuleaux::Real> #name<T> {
@@ -48,12 +49,7 @@ pub(super) fn solve(model: &Model, system: &System) -> TokenStream {
     }
 }
 
-fn result(state: &TokenStream, n: &TokenStream) -> TokenStream {
-    quote!(::core::result::Result<#state<T>, ::reuleaux::Failure<T, #n>>)
-}
-
-fn functions(state: &TokenStream, inputs: &Ident, vector: &TokenStream, n: &TokenStream) -> TokenStream {
-    let result = result(state, n);
+fn functions(state: &TokenStream, inputs: &Ident, result: &TokenStream, [vector, n]: [&TokenStream; 2]) -> TokenStream {
     quote! {
         /// The state at time `t` (s) with these inputs, on the branch of the declared start, from which it is followed.
         ///
@@ -76,8 +72,7 @@ fn functions(state: &TokenStream, inputs: &Ident, vector: &TokenStream, n: &Toke
         /// Why there is no such state, with the last valid one on the way.
         pub fn solve_from(&self, t: T, from: &#state<T>, inputs: #inputs<T>) -> #result {
             let mut state = ::core::clone::Clone::clone(from);
-            self.advance(&mut state, t, inputs)?;
-            ::core::result::Result::Ok(state)
+            self.advance(&mut state, t, inputs).map(|()| state)
         }
         /// Takes a state to time `t` (s) and these inputs in place: [`solve_from`](Self::solve_from) without a copy. A state that
         /// cannot be taken there stays as it is.
@@ -89,6 +84,11 @@ fn functions(state: &TokenStream, inputs: &Ident, vector: &TokenStream, n: &Toke
         #[inline]
         pub fn advance(&self, state: &mut #state<T>, t: T, inputs: #inputs<T>) -> ::core::result::Result<(), ::reuleaux::Failure<T, #n>> {
             ::reuleaux::advance_with_inputs(self, &mut state.0, &mut state.1, t, inputs)
+        }
+        /// The same by one warm step, in bounded time: whether that was enough. If not, the state stays as it is.
+        #[inline]
+        pub fn advance_once(&self, state: &mut #state<T>, t: T, inputs: #inputs<T>) -> ::core::primitive::bool {
+            ::reuleaux::advance_once_with_inputs(self, &mut state.0, &mut state.1, t, inputs)
         }
     }
 }
