@@ -5,15 +5,18 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// Largest number of lines to which the mechanism of an example may be compiled.
+/// Largest number of lines to which the mechanism of an example may be compiled, without the function that draws its states.
 const MOST: [(&str, usize); 3] = [("four_bar", 800), ("jansen_leg", 1500), ("walker", 6500)];
+
+/// The attribute that asks for this function.
+const DRAWN: &str = "# [picture]";
 
 /// The tokens of the first `mechanism!` in an example.
 fn declaration(example: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples").join(example).with_extension("rs");
     let file = syn::parse_file(&fs::read_to_string(path).expect("an example")).expect("an example is Rust");
     let declared = |item: syn::Item| match item {
-        syn::Item::Macro(item) if item.mac.path.is_ident("mechanism") => Some(item.mac.tokens.to_string()),
+        syn::Item::Macro(item) if item.mac.path.is_ident("mechanism") => Some(item.mac.tokens.to_string().replace(DRAWN, "")),
         _ => None,
     };
     file.items.into_iter().find_map(declared).expect("an example declares a mechanism")

@@ -61,7 +61,7 @@ pub trait Sliced<T: SolverReal, const OUTPUT: usize, const N: usize, const WHOLE
     fn upstream(&self, t: T, solver: &mut Solver<'_, T, N>) -> Result<Coordinates<T, N>, StepError<T>> {
         let mut found = Values::zero();
         self.upstream_in_place(t, solver, &mut found)?;
-        Ok(found.into())
+        Ok(found.coordinates())
     }
 
     /// [`Stages::stages_in_place`] of the slice.

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use super::{State, Values};
-use crate::number::Real;
+use crate::number::{DetSign, Real};
 
 /// Position, velocity and acceleration of all coordinates.
 pub struct Coordinates<T, const N: usize> {
@@ -36,12 +36,6 @@ impl<T: Real, const N: usize> Coordinates<T, N> {
     }
 }
 
-impl<T, const N: usize> From<Values<T, N>> for Coordinates<T, N> {
-    fn from(values: Values<T, N>) -> Self {
-        Self { q: values.q, qd: values.qd, qdd: values.qdd }
-    }
-}
-
 /// Position, velocity and acceleration of all coordinates, where they lie.
 #[derive(Clone, Copy)]
 pub(crate) struct Moment<'a, T, const N: usize> {
@@ -55,8 +49,23 @@ impl<T: Real, const N: usize> Values<T, N> {
     #[doc(hidden)]
     #[must_use]
     pub fn zero() -> Self {
-        let Coordinates { q, qd, qdd } = Coordinates::zero();
-        State::new(T::of(0.0), q, qd, qdd).values
+        // Each field is written where it stays: without optimisation a copy takes as much of the stack once more.
+        Self {
+            t: T::of(0.0),
+            q: SVector::from_element(T::of(0.0)),
+            qd: SVector::from_element(T::of(0.0)),
+            qdd: SVector::from_element(T::of(0.0)),
+            branch: [DetSign::Positive; N],
+            condition: T::of(1.0),
+            iterations: 0,
+        }
+    }
+
+    /// q, q̇ and q̈ of a result.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn coordinates(&self) -> Coordinates<T, N> {
+        Coordinates { q: self.q, qd: self.qd, qdd: self.qdd }
     }
 
     /// Takes over these coordinates.

@@ -244,7 +244,7 @@ pub(super) fn stages_of(solving: &Solving, n: usize, body: &TokenStream) -> Toke
             ) -> ::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::StepError<T>> {
                 let mut found = ::reuleaux::Values::zero();
                 self.stages_in_place(t, pass, &mut found)?;
-                ::core::result::Result::Ok(found.into())
+                ::core::result::Result::Ok(found.coordinates())
             }
         },
     }
