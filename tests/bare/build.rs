@@ -83,7 +83,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// A module with the first mechanism of a file; `used` returns its function `run`.
 fn module(number: usize, text: &str, used: Use) -> Option<String> {
-    let declaration = between(text, "mechanism! {").unwrap_or(text);
+    // Pictures need an allocator.
+    let declaration = &between(text, "mechanism! {").unwrap_or(text).replace("#[picture]", "");
     let name = declaration.split("mechanism ").nth(1)?.split([' ', '{']).next()?;
     let function = used(name, declaration);
     Some(format!(
@@ -145,7 +146,7 @@ fn command(name: &str, declaration: &str) -> String {
     format!(
         "fn run(mechanism: &{name}<T>, t: T, state: &mut {name}State<T>) -> bool {{
              let inputs = {name}Inputs {{ {inputs} }};
-             let is_there = mechanism.advance(state, t, inputs).is_ok();
+             let is_there = mechanism.advance_once(state, t, inputs) | mechanism.advance(state, t, inputs).is_ok();
              let after = mechanism.solve_from(t, state, inputs).is_ok();
              let anew = mechanism.solve(t, inputs).map(|found| *state = found).is_ok();
              let swept = mechanism.sweep([(t, inputs), (t + t, inputs)]).filter_map(Result::ok).map(|found| *state = found).count();
