@@ -79,8 +79,8 @@ pub fn step_lanes<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
     let mut found = found.and(is_surely_finite(h + accelerations, there.moment(), E::MAY_BE_NON_FINITE));
     // A prediction that was right to half of its digits lies on the same branch; others are checked backwards.
     if iterations > ONE_CORRECTION {
-        // A copy, so that the usual case can keep the original in registers.
-        let there = Coordinates { q: there.q, qd: there.qd, qdd: there.qdd };
+        // Copies, so that the usual case can keep the originals in registers.
+        let (here, there) = (state.values.moment(), Coordinates { q: there.q, qd: there.qd, qdd: there.qdd });
         found = found.and(comes_from(equations, here, h, there.moment(), condition.max(state.condition)));
     }
     if !found.not().all() {
