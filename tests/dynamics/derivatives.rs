@@ -107,6 +107,33 @@ fn difference(h: f64, f: impl Fn(f64) -> f64) -> f64 {
 }
 
 #[test]
+fn functions_of_numbers_with_derivatives_have_those_of_calculus() {
+    let x = Gradient { value: 0.4, by: [1.0] };
+    let (sine, cosine) = 0.4f64.sin_cos();
+    let root = (1.0 - 0.16f64).sqrt();
+    let found = [
+        (x.sin(), sine, cosine),
+        (x.cos(), cosine, -sine),
+        (x.tan(), sine / cosine, 1.0 / (cosine * cosine)),
+        (x.asin(), 0.4f64.asin(), 1.0 / root),
+        (x.acos(), 0.4f64.acos(), -1.0 / root),
+        (x.atan(), 0.4f64.atan(), 1.0 / 1.16),
+        (x.atan2(2.0 * x + 0.2), 0.4f64.atan(), 0.2 / 1.16),
+        (x.exp(), 0.4f64.exp(), 0.4f64.exp()),
+        (x.ln(), 0.4f64.ln(), 2.5),
+        (x.sqrt(), 0.4f64.sqrt(), 0.5 / 0.4f64.sqrt()),
+        ((-x).abs(), 0.4, 1.0),
+        (3.0 / x - x / 4.0, 7.4, -18.75 - 0.25),
+        ((1.0 - x) * (x * 2.0 - 3.0), -1.32, 2.2 + 1.2),
+        (Gradient::norm(&[3.0 * x, 4.0 * x].into()), 2.0, 5.0),
+    ];
+    for (number, (found, value, slope)) in found.into_iter().enumerate() {
+        assert!((found.value - value).abs() < 1e-15 * value.abs().max(1.0) * 4.0, "{number}: {found:?}");
+        assert!((found.by[0] - slope).abs() < 1e-14 * slope.abs().max(1.0), "{number}: {found:?} {slope}");
+    }
+}
+
+#[test]
 fn the_torque_on_a_turned_bar_has_the_derivatives_of_its_closed_form() {
     let bar = Turned::default();
     for t in [0.0, 0.3, 1.7] {

@@ -4,12 +4,14 @@ use core::cmp::Ordering;
 use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use nalgebra::SVector;
+
 use crate::number::{DetSign, Float, Real, Scalar, SimdReal, Table, row};
 
 /// A number and its partial derivatives by `P` parameters: the number type of [`derivatives`](crate::Mechanism::derivatives).
 ///
 /// Two of them are equal if their derivatives are too; the order is that of the values. Of equal values with other derivatives neither is
-/// the greater.
+/// the greater. `{}` writes the value, `{:?}` the derivatives too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gradient<T, const P: usize> {
     /// The number.
@@ -45,6 +47,94 @@ impl<T: Float, const P: usize> Gradient<T, P> {
         (self.chain(value, first), self.chain(first, second), Self { value: second, by: self.by.map(of_second) })
     }
 }
+
+/// Functions of the trait [`Real`], without its import.
+macro_rules! functions {
+    ($($(#[doc = $page:literal])* $name:ident($($argument:ident)?);)*) => {
+        impl<T: Float, const P: usize> Gradient<T, P> {
+            $($(#[doc = $page])*
+            #[must_use]
+            #[inline(always)]
+            pub fn $name(self $(, $argument: Self)?) -> Self {
+                Real::$name(self $(, $argument)?)
+            })*
+        }
+    };
+}
+
+functions! {
+    /// Square root; not a number below zero.
+    sqrt();
+    /// Tangent of an angle in radians.
+    tan();
+    /// Arc sine in radians, from −π/2 to π/2; not a number outside [−1, 1].
+    asin();
+    /// Arc cosine in radians, from 0 to π; not a number outside [−1, 1].
+    acos();
+    /// Arc tangent in radians, from −π/2 to π/2.
+    atan();
+    /// Angle in radians, from −π to π, of the vector (`x`, `self`): `self` is y.
+    atan2(x);
+    /// e to the power `self`.
+    exp();
+    /// Natural logarithm; not a number below zero.
+    ln();
+    /// Absolute value.
+    abs();
+}
+
+impl<T: Float, const P: usize> Gradient<T, P> {
+    /// Sine of an angle in radians.
+    #[must_use]
+    #[inline(always)]
+    pub fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+
+    /// Cosine of an angle in radians.
+    #[must_use]
+    #[inline(always)]
+    pub fn cos(self) -> Self {
+        self.sin_cos().1
+    }
+
+    /// The length of a vector, √Σ x²: of the force in a bearing, say. Where it is 0 it has no derivatives; they are NaN.
+    #[must_use]
+    pub fn norm<const D: usize>(vector: &SVector<Self, D>) -> Self {
+        vector.iter().fold(Self::constant(T::ZERO), |sum, part| sum + *part * *part).sqrt()
+    }
+}
+
+/// Operations with a constant on the right.
+macro_rules! with_constant {
+    ($($operation:ident $name:ident),*) => {
+        $(impl<T: Float, const P: usize> $operation<T> for Gradient<T, P> {
+            type Output = Self;
+            #[inline(always)]
+            fn $name(self, constant: T) -> Self {
+                $operation::$name(self, Self::constant(constant))
+            }
+        })*
+    };
+}
+
+with_constant!(Add add, Sub sub, Mul mul, Div div);
+
+/// Operations with a constant on the left.
+macro_rules! with_constant_first {
+    ($float:ident: $($operation:ident $name:ident),*) => {
+        $(impl<const P: usize> $operation<Gradient<$float, P>> for $float {
+            type Output = Gradient<$float, P>;
+            #[inline(always)]
+            fn $name(self, other: Gradient<$float, P>) -> Gradient<$float, P> {
+                $operation::$name(Gradient::constant(self), other)
+            }
+        })*
+    };
+}
+
+with_constant_first!(f64: Add add, Sub sub, Mul mul, Div div);
+with_constant_first!(f32: Add add, Sub sub, Mul mul, Div div);
 
 impl<T: Float, const P: usize> Add for Gradient<T, P> {
     type Output = Self;
