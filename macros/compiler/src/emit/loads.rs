@@ -47,8 +47,7 @@ impl Emitter<'_> {
                 pub fn loads(&self, state: &#state<T>) -> #loads<T> {
                     #refreshed
                     #first
-                    let (jacobian, forces) = self.equations_of_loads(state);
-                    #loads { loads: ::reuleaux::Loads::of(&jacobian, &forces, |multipliers| self.actions(state, multipliers)) }
+                    #loads { loads: self.loads_in_general(state) }
                 }
                 #with_motion
                 #energy
@@ -89,10 +88,9 @@ impl Emitter<'_> {
         })
     }
 
-    /// Φ_u and f, and the loads of joints and drives for given multipliers.
+    /// Loads by elimination of Φ_u, and those of joints and drives for given multipliers. The matrices are not in the frame of the closed form.
     fn loads_in_general(&self, code: &LoadsCode) -> TokenStream {
-        let (m, u) = (code.multipliers, code.equations.results.len() - code.pattern.len());
-        let state = state_path(&self.model.name);
+        let (m, u, state) = (code.multipliers, code.equations.results.len() - code.pattern.len(), state_path(&self.model.name));
         let (of_matrix, of_forces, of_lambda, of_actions) = (matrix_type(m, u), vector_type(u), vector_type(m), vector_type(code.width));
         let RoutinePrinter { reads, steps, results } = fast_lines(self.model, &code.arena, &code.equations);
         let (entries, forces) = results.split_at(code.pattern.len());
@@ -103,15 +101,17 @@ impl Emitter<'_> {
         let RoutinePrinter { reads: reads_of_actions, steps: steps_of_actions, results: values } =
             fast_lines(self.model, &code.arena, &code.actions);
         let data: Vec<Ident> = (0..m).map(|number| local(&format!("d{number}"))).collect();
-        let (zero, motion) = (real(0.0), motion());
+        let (zero, motion, count, width) = (real(0.0), motion(), number(m), number(code.width));
         quote! {
-            fn equations_of_loads(&self, state: &#state<T>) -> (#of_matrix, #of_forces) {
+            #[inline(never)]
+            fn loads_in_general(&self, state: &#state<T>) -> ::reuleaux::Loads<T, #count, #width> {
                 #motion
                 #reads
                 #steps
                 let mut jacobian: #of_matrix = ::reuleaux::Matrix::from_element(#zero);
                 #(#writes)*
-                (jacobian, ::core::convert::From::from([#(#forces),*]))
+                let forces: #of_forces = ::core::convert::From::from([#(#forces),*]);
+                ::reuleaux::Loads::of(&jacobian, &forces, |multipliers| self.actions(state, multipliers))
             }
             fn actions(&self, state: &#state<T>, multipliers: &#of_lambda) -> #of_actions {
                 #motion
