@@ -198,6 +198,8 @@ pub use serde;
 #[cfg(feature = "picture")]
 pub mod picture {
     pub use crate::api::Drawable;
+    #[doc(hidden)]
+    pub use crate::api::Sketch;
     pub use reuleaux_picture::{GROUND, Joint, Label, Picture, Pose, Scene, Undrawable, Vector, animation, frames};
 }
 

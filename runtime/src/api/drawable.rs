@@ -30,10 +30,11 @@ use crate::state::State;
 /// assert!(svg.starts_with("<svg"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[diagnostic::on_unimplemented(message = "`{Self}` cannot be drawn at run time", note = "write `#[picture]` before its declaration")]
-pub trait Drawable<T, const N: usize> {
+pub trait Drawable<T, const N: usize>: Sketch<T, N> {
     /// The scene of a state with these parameters. The state need not be solved.
-    fn scene(&self, state: &State<T, N>) -> Scene;
+    fn scene(&self, state: &State<T, N>) -> Scene {
+        self.sketch(state)
+    }
 
     /// The drawing of a state as inline SVG; at the defaults, the drawing on the type's page. If it cannot be drawn, a sentence with the
     /// reason.
@@ -71,7 +72,7 @@ pub trait Drawable<T, const N: usize> {
     #[cfg(feature = "view")]
     fn view<S>(&self, states: impl IntoIterator<Item = S>) -> View<S>
     where
-        S: core::ops::Deref<Target = State<T, N>>,
+        S: Shown<T, N>,
         T: Float,
         Self: Sized,
     {
@@ -80,3 +81,24 @@ pub trait Drawable<T, const N: usize> {
         View::new(&title, states, |state| state.t.to_f64(), |state| self.scene(state))
     }
 }
+
+impl<M: Sketch<T, N>, T, const N: usize> Drawable<T, N> for M {}
+
+/// The scene of each state of a mechanism, which the macro generates.
+#[doc(hidden)]
+#[diagnostic::on_unimplemented(message = "`{Self}` cannot be drawn at run time", note = "write `#[picture]` before its declaration")]
+pub trait Sketch<T, const N: usize> {
+    fn sketch(&self, state: &State<T, N>) -> Scene;
+}
+
+/// A state of any mechanism with `N` coordinates, or a reference to one.
+#[cfg(feature = "view")]
+#[doc(hidden)]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no state that can be shown",
+    note = "a sweep gives a `Result` for each time: write `sweep(…).collect::<Result<Vec<_>, _>>()?`"
+)]
+pub trait Shown<T, const N: usize>: core::ops::Deref<Target = State<T, N>> {}
+
+#[cfg(feature = "view")]
+impl<S: core::ops::Deref<Target = State<T, N>>, T, const N: usize> Shown<T, N> for S {}

@@ -20,7 +20,7 @@ mod slice;
 mod sweep;
 
 #[cfg(feature = "picture")]
-pub use drawable::Drawable;
+pub use drawable::{Drawable, Sketch};
 pub use forces::{PlanarForce, SpatialForce};
 pub use generated::{Matrix, Named, Relation, Vector, between, finite, require, within};
 pub use gradient::{Differentiable, Gradient};

@@ -87,7 +87,7 @@ codes! {
     E0301: Value::NotA Value::NotAnOutput Motion::TorqueWithoutAxis Motion::TorqueWithAxis Motion::ForceWithoutDirection
         Motion::GravityWithoutDirection
         Motion::ForceAtNoPoint Motion::TorqueOnNoBody Motion::ValueForForce Motion::ValueForConstraint Motion::FreedomOfJoint;
-    E0302: Value::WrongArgument Value::WrongDefault Motion::JointWithoutValue Arity::OtherOrder;
+    E0302: Value::WrongArgument Value::WrongDefault Motion::JointWithoutValue Arity::OtherOrder Arity::FunctionOrder;
     E0303: Value::WrongArgumentDimension;
     E0304: Value::Unlike Value::NotARate;
     E0305: Value::WrongDimension Value::OfFunction Value::NotALength Motion::RateForStart Motion::StartForRate;

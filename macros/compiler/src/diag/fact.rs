@@ -157,6 +157,7 @@ pub enum ArityFact {
     FunctionArity { name: String, wanted: usize, found: usize },
     ShapeArity { name: String, call: &'static str, wanted: usize, found: usize },
     OtherOrder { name: String, instead: String, signature: String },
+    FunctionOrder { name: String, call: String },
     DefaultBefore { name: String },
 }
 

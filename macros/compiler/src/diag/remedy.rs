@@ -61,6 +61,9 @@ pub(super) fn of_dimension(wanted: Dim, found: Dim) -> &'static str {
         (Dim::NUMBER, Dim::TIME) => "\nhelp: divide it by a time, as in `t / 1s`",
         (_, found) if found.is_of_time() => of_dimensions(wanted, found),
         (Dim::STIFFNESS, Dim::FORCE) => "\nhelp: a stiffness is a force by a length, such as `20N_m` or `20N / 10mm`",
+        (Dim::INERTIA, Dim::MASS) => {
+            "\nhelp: an inertia is a mass by the square of a length, such as `0.003kgm2`, or that of a shape, such as `rod(1m)`"
+        }
         (Dim::TORQUE, Dim::FORCE) => "\nhelp: a torque is a force times an arm, such as `5Nm`; a force is written `at point: (0N, -5N);`",
         (wanted, Dim::ANGLE) if wanted.times(Dim::TIME) == found => "\nhelp: write a rate, such as `2rad_s`",
         (wanted, Dim::LENGTH) if wanted.times(Dim::TIME) == found => "\nhelp: write a rate, such as `2mm_s`",

@@ -15,7 +15,7 @@ use quote::{quote, quote_spanned};
 use std::collections::BTreeMap;
 
 impl Emitter<'_> {
-    /// The trait `Drawable`, if the mechanism is declared with `#[picture]`
+    /// The trait `Sketch`, if the mechanism is declared with `#[picture]`
     pub(super) fn drawable(&self) -> Option<TokenStream> {
         let (word, code) = (self.model.requests.picture.as_ref()?, self.plan.scene.as_ref()?);
         let RoutinePrinter { reads, steps, results } = self.sketched(&code.numbers);
@@ -48,15 +48,15 @@ impl Emitter<'_> {
     }
 }
 
-/// The implementation of `Drawable`. Its one path into the runtime has the span of `#[picture]`, where rustc says which feature is missing.
+/// The implementation of `Sketch`, which makes a mechanism `Drawable`. Its one path into the runtime has the span of `#[picture]`, where rustc says which feature is missing.
 pub(super) fn implementation(word: &Ident, name: &Ident, n: usize, body: &TokenStream) -> TokenStream {
     let (import, n, allowed) = (quote_spanned!(word.span()=> use ::reuleaux::picture as __picture;), number(n), super::allowed());
     quote! {
         const _: () = {
             #import
             #allowed
-            impl<T: ::reuleaux::Float> __picture::Drawable<T, #n> for #name<T> {
-                fn scene(&self, state: &::reuleaux::State<T, #n>) -> __picture::Scene { #body }
+            impl<T: ::reuleaux::Float> __picture::Sketch<T, #n> for #name<T> {
+                fn sketch(&self, state: &::reuleaux::State<T, #n>) -> __picture::Scene { #body }
             }
         };
     }

@@ -8,6 +8,7 @@ use proc_macro2::Ident;
 pub(crate) fn unit_in_parts(value: &Expression) -> Option<(String, Vec<&Ident>)> {
     match &value.kind {
         ExpressionKind::Number { digits, unit } if !unit.is_empty() => Some((format!("{digits}{unit}"), Vec::new())),
+        ExpressionKind::Negative(number) => unit_in_parts(number).map(|(text, names)| (format!("-{text}"), names)),
         ExpressionKind::Binary(operator, lhs, rhs) => {
             let between = match operator {
                 Operator::Mul => "",

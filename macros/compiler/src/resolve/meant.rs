@@ -163,7 +163,7 @@ impl Elaborator<'_> {
             let declared = scope.space.and_then(|space| self.names.visible(space, &name.to_string()));
             declared.is_some() || scope.value_of(name).is_some()
         };
-        let unit = text.trim_start_matches(|letter: char| letter.is_ascii_digit() || letter == '.');
+        let unit = text.trim_start_matches(|letter: char| letter.is_ascii_digit() || ['-', '.'].contains(&letter));
         (!names.is_empty() && !names.iter().any(is_known) && quantity::unit(unit).is_some()).then_some(text)
     }
 

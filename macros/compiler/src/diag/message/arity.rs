@@ -47,6 +47,7 @@ impl Display for ArityFact {
                     _ => Ok(()),
                 }
             }
+            ArityFact::FunctionOrder { name, call } => write!(f, "`{name}` takes its axis first\nhelp: write `{call}`"),
             ArityFact::OtherOrder { name, instead, signature } => {
                 write!(f, "`{name}` takes these arguments in another order\nhelp: write `{instead}`\nnote: `{signature}`")
             }

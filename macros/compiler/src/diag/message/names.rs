@@ -1,6 +1,6 @@
 //! Messages about names.
 
-use super::words::{did_you_mean, first_of, is_acceleration, is_power, is_rate, list, listed, shortened};
+use super::words::{did_you_mean, first_of, is_acceleration, is_load, is_power, is_rate, list, listed, shortened};
 use crate::diag::{Home, NameFact};
 use crate::quantity::{Dim, Role};
 use std::fmt::{Display, Formatter, Result};
@@ -21,9 +21,19 @@ impl Display for NameFact {
                 write!(f, "`{name}` is an output: it is read from Rust, not in the declaration")?;
                 write!(f, "\nhelp: name its value with `let {name} = …;` and give that out with `output {name} = {name};`")
             }
+            NameFact::UnknownName { name, near: None } if name == "z" => {
+                write!(f, "nothing is called `z` here\nhelp: write `(0, 0, 1)` for the direction of z")
+            }
             NameFact::UnknownName { name, near } => write!(f, "nothing is called `{name}` here{}", did_you_mean(near)),
             NameFact::UnknownField { owner, name, .. } if is_rate(name) => {
                 write!(f, "{owner} has no `{name}`\nhelp: write `rate(…)` of a point or of a number, as in `rate(body.position)`")
+            }
+            NameFact::UnknownField { owner, name, near: None, .. } if is_load(name) => {
+                write!(f, "{owner} has no `{name}`\nnote: loads are computed for a state, in Rust")?;
+                match owner.contains("drive") {
+                    true => write!(f, "\nhelp: `mechanism.loads(&state)` has a method for each drive, with its `effort` and its `power`"),
+                    false => write!(f, "\nhelp: `mechanism.loads(&state)` has a method for each joint, with its `force` and its `torque`"),
+                }
             }
             NameFact::UnknownField { owner, name, near, known } => {
                 write!(f, "{owner} has no `{name}`{}", did_you_mean(near))?;
@@ -48,6 +58,9 @@ impl Display for NameFact {
             NameFact::UnknownFunction { name, .. } if is_acceleration(name) => {
                 write!(f, "no function is called `{name}`")?;
                 write!(f, "\nhelp: an output is given with its rate and its acceleration; equations and forces contain none")
+            }
+            NameFact::UnknownFunction { name, .. } if name == "jerk" => {
+                write!(f, "no function is called `jerk`\nhelp: write `output name = … with jerk;` for the third derivative of an output")
             }
             NameFact::UnknownFunction { name, near: None, .. } => {
                 write!(f, "no function is called `{name}`\nhelp: declare it, such as `function {name}(x: Angle) -> Length = …;`")

@@ -61,7 +61,10 @@ impl Display for ValueFact {
             ValueFact::CannotEquate { one, two, ambient } => {
                 write!(f, "cannot equate {one} with {two}{}", remedy::of_equation(one, two, *ambient))
             }
-            ValueFact::NotThreeComponents { found } => write!(f, "a vector in space has 3 components, found {found}"),
+            ValueFact::NotThreeComponents { found } => {
+                write!(f, "a vector in space has 3 components, found {found}")?;
+                if *found == 2 { write!(f, "\nhelp: write the third, which is 0 in the plane of x and y") } else { Ok(()) }
+            }
             ValueFact::MeansSpace { name } => {
                 write!(f, "`{name}` has words and vectors of space, and a mechanism is in the plane where it does not say `in space`")?;
                 write!(f, "\nhelp: write `mechanism {name} in space {{ … }}`")

@@ -117,6 +117,11 @@ pub(super) fn is_rate(name: &str) -> bool {
     ["rate", "velocity", "speed", "vel", "dot"].contains(&name)
 }
 
+/// True for words for loads.
+pub(super) fn is_load(name: &str) -> bool {
+    ["force", "torque", "effort", "power", "load", "loads", "reaction"].contains(&name)
+}
+
 /// True for words for an acceleration.
 pub(super) fn is_acceleration(name: &str) -> bool {
     ["acceleration", "accel", "ddot"].contains(&name)
