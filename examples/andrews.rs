@@ -8,7 +8,7 @@
 
 use std::error::Error;
 
-use reuleaux::picture::{Drawable, GROUND};
+use reuleaux::picture::Drawable;
 use reuleaux::{Integrator, PlanarBody, mechanism};
 use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, on, place, show, steps};
 
@@ -72,7 +72,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", picture(&mechanism, &motion).save("andrews")?.display());
     let view = mechanism
         .view(motion)
-        .spring("spring", (GROUND, place(0.014, 0.072)), ("bde", place(0.00957, 0.00074)))
         .trace("path of E", |state| state.ef().point(place(-0.0165, 0.0)).value)
         .trace("path of H", |state| state.he().point(place(-0.00579, 0.0)).value)
         .plot("γ", "°", |state| state.bde().angle.to_degrees())

@@ -127,6 +127,7 @@ declared!(arm {
         drive pan = drive_rotation(base, 20deg - 1rad_s * t);
         drive tilt = drive_rotation(shoulder, -30deg + 0.5rad * sin(t * 2rad_s));
         drive feed = drive_translation(way, 100mm + 20mm_s * t);
+        force strut = spring_damper(column.position, boom.E, stiffness: 9kN_m, rest: 0.3 * reach, damping: 50Ns_m);
         output tool = quill.T;
     }
 });
@@ -162,6 +163,9 @@ declared!(pendulum {
         joint o = revolute(ground.position, upper.position);
         freedom bend = lower.angle from 20deg;
         joint e = revolute(upper.E, lower.position);
+        force coil = spring(ground.hook, upper.E, stiffness: 40N_m, rest: 100mm);
+        force pot = damper(upper.position, lower.E, damping: 2Ns_m);
+        ground { point hook = (200mm, 150mm); }
         output E = lower.E;
     }
 });
@@ -183,7 +187,9 @@ fn at_the_start_the_page_has_the_same_picture() -> Result<(), Box<dyn Error>> {
     assert_eq!(press.picture(&press.solve(0.0)?.0), page(press::TEXT));
     let (across, arm) = (across::AcrossCrank::default(), arm::Arm::default());
     assert_eq!(across.picture(&across.solve(0.0)?.0), page(across::TEXT));
-    assert_eq!(arm.picture(&arm.solve(0.0)?.0), page(arm::TEXT));
+    let svg = arm.picture(&arm.solve(0.0)?.0);
+    assert_eq!(svg, page(arm::TEXT));
+    assert!(svg.contains("<title>strut: spring_damper of column and boom</title>"), "{svg}");
     Ok(())
 }
 
@@ -193,6 +199,8 @@ fn freedoms_may_stand_anywhere() -> Result<(), Box<dyn Error>> {
     let svg = pendulum.picture(&pendulum.initial_state()?.0);
     assert_eq!(svg, page(pendulum::TEXT));
     assert!(svg.contains("<title>e: revolute of upper and lower</title>"), "{svg}");
+    let forces = ["coil: spring of ground and upper", "pot: damper of upper and lower"];
+    assert!(forces.iter().all(|force| svg.contains(&format!("<title>{force}</title>"))), "{svg}");
     Ok(())
 }
 

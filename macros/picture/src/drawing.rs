@@ -10,6 +10,7 @@ use crate::links::DrawnBody;
 use crate::pins::{Look, Pins};
 use crate::placed::{PlacedArgument, PlacedScene, axis, point};
 use crate::plane::{Place, place};
+use crate::springs::KINDS;
 use crate::view::{Extent, View};
 use crate::wheels::Wheels;
 
@@ -182,8 +183,7 @@ impl Drawing<'_> {
             // The slot is parallel to the line through P and passes through Q.
             ("revolute_translational", Some(_), Some(q)) if u.is_some() => self.slot(number, u.unwrap_or_default(), q.1, q),
             ("distance", Some(p), Some(q)) => self.rod(number, p, q),
-            ("spring", Some(p), Some(q)) => self.spring(number, p, q),
-            ("damper", Some(p), Some(q)) => self.damper(number, p, q),
+            (kind, Some(p), Some(q)) if KINDS.contains(&kind) => self.force(number, p, q),
             ("absolute_distance", Some(p), _) => self.rod(number, p, joint.point("C").unwrap_or(p)),
             ("drive_distance", Some(p), Some(q)) => self.cylinder(number, p, q),
             ("absolute_x", Some(p), _) => self.slot(number, (None, place(0.0, 1.0)), p.1, p),

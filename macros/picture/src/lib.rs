@@ -65,6 +65,7 @@ mod plane;
 mod scene;
 mod slides;
 mod space;
+mod springs;
 mod svg;
 mod teeth;
 mod undrawable;

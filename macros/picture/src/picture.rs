@@ -8,6 +8,7 @@ use crate::placed::PlacedScene;
 use crate::plane::{Place, Rectangle, place};
 use crate::scene::{Scene, Vector};
 use crate::space::{self, Sight, vec3};
+use crate::springs::KINDS;
 use crate::svg::{self, Captions, Scale};
 use crate::undrawable::Undrawable;
 use crate::view::{Extent, View};
@@ -225,7 +226,7 @@ fn on_white(svg: &str, is_in_space: bool) -> String {
 
 fn captions(scene: &Scene) -> [String; 2] {
     let (bodies, drives) = (scene.bodies.len(), scene.joints.iter().filter(|joint| joint.is_drive).count());
-    let forces = scene.joints.iter().filter(|joint| ["spring", "damper"].contains(&joint.kind.as_str())).count();
+    let forces = scene.joints.iter().filter(|joint| KINDS.contains(&joint.kind.as_str())).count();
     let joints = scene.joints.len() - drives - forces;
     let description =
         format!("{}, {}, {}.", counted(bodies, "body", "bodies"), counted(joints, "joint", "joints"), counted(drives, "drive", "drives"));

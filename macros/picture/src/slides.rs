@@ -4,7 +4,9 @@ use crate::canvas::{Ink, Layer, Near, Stroke, Subject};
 use crate::drawing::{Drawing, Track};
 use crate::habits::Guide;
 use crate::pins::{Look, RADIUS, ground};
+use crate::placed::Sign;
 use crate::plane::{Place, place, polar};
+use crate::springs::{KINDS, shared, symbol};
 use core::f64::consts::PI;
 
 /// Half the size of a block, along its guide and across.
@@ -97,33 +99,23 @@ impl Drawing<'_> {
         self.canvas.wish(Subject::Joint, &name, Near::Segments(vec![(p, q)]));
     }
 
-    /// A spring between two points: a coil of straight turns, with the same number of turns at any length.
-    pub(crate) fn spring(&mut self, joint: usize, (i, p): (Option<usize>, Place), (j, q): (Option<usize>, Place)) {
-        let (p, q) = (self.view.at(p), self.view.at(q));
-        let side = (q - p).unit().perp() * 7.0;
-        let turn = |step: i32| {
-            let across = if step % 2 == 0 { side } else { -side };
-            p + (q - p) * (0.15 + 0.7 * (f64::from(step) + 0.5) / 12.0) + across
-        };
-        let ends = [p, p + (q - p) * 0.15, q - (q - p) * 0.15, q];
-        let coil: Vec<Place> = ends[..2].iter().copied().chain((0..12).map(turn)).chain(ends[2..].iter().copied()).collect();
-        self.force_between(joint, [p, q], [i.is_none(), j.is_none()], &[coil]);
-    }
-
-    /// A damper between two points: a pot, and a piston on a rod.
-    pub(crate) fn damper(&mut self, joint: usize, (i, p): (Option<usize>, Place), (j, q): (Option<usize>, Place)) {
-        let (p, q) = (self.view.at(p), self.view.at(q));
-        let at = |part: f64, across: f64| p + (q - p) * part + (q - p).unit().perp() * across;
-        let pot = vec![at(0.6, 8.0), at(0.3, 8.0), at(0.3, -8.0), at(0.6, -8.0)];
-        let (foot, piston) = (vec![p, at(0.3, 0.0)], vec![at(0.5, 6.0), at(0.5, -6.0)]);
-        self.force_between(joint, [p, q], [i.is_none(), j.is_none()], &[foot, pot, piston, vec![at(0.5, 0.0), q]]);
-    }
-
-    fn force_between(&mut self, joint: usize, [p, q]: [Place; 2], is_on_ground: [bool; 2], lines: &[Vec<Place>]) {
+    /// A spring, a damper, or both between two points.
+    pub(crate) fn force(&mut self, joint: usize, (i, p): (Option<usize>, Place), (j, q): (Option<usize>, Place)) {
         let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
-        self.canvas.draw(Layer::Rod, Ink::Line, &title, Stroke::Open(lines.to_vec()));
-        for (at, is_on_ground) in [p, q].into_iter().zip(is_on_ground) {
-            self.pins.join(at, Look::Hinge, is_on_ground, "", "");
+        let is_end = |other: &Sign, point: &str, (body, at): (Option<usize>, Place)| {
+            other.point(point).is_some_and(|end| end.0 == body && (self.view.at(end.1) - self.view.at(at)).norm() < 1.0)
+        };
+        let is_between = |other: &Sign, [one, two]: [(Option<usize>, Place); 2]| is_end(other, "P", one) && is_end(other, "Q", two);
+        let is_here = |other: &Sign| is_between(other, [(i, p), (j, q)]) || is_between(other, [(j, q), (i, p)]);
+        let here = self.scene.joints.iter().map(|other| other.kind.as_str()).enumerate();
+        let here = here.filter(|(number, kind)| KINDS.contains(kind) && is_here(&self.scene.joints[*number]));
+        let (p, q, here) = (self.view.at(p), self.view.at(q), here.collect::<Vec<_>>());
+        if let Some(kind) = shared(joint, &here) {
+            let lines = symbol(kind, |part, across| p + (q - p) * part + (q - p).unit().perp() * across);
+            self.canvas.draw(Layer::Rod, Ink::Line, &title, Stroke::Open(lines));
+        }
+        for (at, body) in [(p, i), (q, j)] {
+            self.pins.join(at, Look::Hinge, body.is_none(), "", "");
         }
         self.canvas.wish(Subject::Joint, &name, Near::Segments(vec![(p, q)]));
     }

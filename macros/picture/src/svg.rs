@@ -13,29 +13,30 @@ const MARGIN: f64 = 8.0;
 /// Largest length of the scale bar.
 const BAR: f64 = 110.0;
 
-/// Ink and paper take the colours of the surrounding page if it defines them, as rustdoc does.
+/// Ink and paper take the colours of the surrounding page if it defines them, as rustdoc does. Each rule gives a colour before the variable, for
+/// programs that do not know variables.
 const STYLE: &str = ".reuleaux{--ink:var(--main-color,#1c1c1c);--paper:var(--main-background-color,#fff);max-width:100%;height:auto}\
 .reuleaux *{stroke-linejoin:round;stroke-linecap:round}\
-.reuleaux .t,.reuleaux .l,.reuleaux .d{fill:none;stroke:var(--ink);stroke-width:1}\
+.reuleaux .t,.reuleaux .l,.reuleaux .d{fill:none;stroke:#1c1c1c;stroke:var(--ink);stroke-width:1}\
 .reuleaux .l{stroke-width:1.6}\
 .reuleaux .d{stroke-width:1.4;stroke-dasharray:5 4}\
-.reuleaux .s{fill:var(--ink)}\
-.reuleaux .p{fill:var(--paper);stroke:var(--ink);stroke-width:1.6}\
+.reuleaux .s{fill:#1c1c1c;fill:var(--ink)}\
+.reuleaux .p{fill:#fff;fill:var(--paper);stroke:#1c1c1c;stroke:var(--ink);stroke-width:1.6}\
 .reuleaux .b{fill:none;stroke:currentColor;stroke-width:7}\
 .reuleaux .q{fill:currentColor;fill-opacity:.3;stroke:currentColor;stroke-width:4}\
-.reuleaux .k{fill:currentColor;stroke:var(--ink);stroke-width:1.4}\
+.reuleaux .k{fill:currentColor;stroke:#1c1c1c;stroke:var(--ink);stroke-width:1.4}\
 .reuleaux .w{fill:currentColor;fill-opacity:.14;stroke:currentColor;stroke-width:1.8}\
 .reuleaux .o{fill:none;stroke:currentColor;stroke-width:1.8}\
-.reuleaux text{font:12px \"Fira Sans\",\"DejaVu Sans\",Arial,sans-serif;fill:var(--ink);stroke:var(--paper);stroke-width:3;paint-order:stroke;text-anchor:middle}\
+.reuleaux text{font:12px \"Fira Sans\",\"DejaVu Sans\",Arial,sans-serif;fill:#1c1c1c;fill:var(--ink);stroke:#fff;stroke:var(--paper);stroke-width:3;paint-order:stroke;text-anchor:middle}\
 .reuleaux .i{font-style:italic}";
 
 /// Additional style rules of spatial pictures.
-const IN_SPACE: &str = ".reuleaux .a{fill:none;stroke:var(--ink);stroke-width:.8;stroke-opacity:.75;stroke-dasharray:9 3 1 3}\
-.reuleaux .r{fill:none;stroke:var(--ink);stroke-width:2.6}\
-.reuleaux .h{fill:none;stroke:var(--paper);stroke-width:12;stroke-linecap:butt}\
+const IN_SPACE: &str = ".reuleaux .a{fill:none;stroke:#1c1c1c;stroke:var(--ink);stroke-width:.8;stroke-opacity:.75;stroke-dasharray:9 3 1 3}\
+.reuleaux .r{fill:none;stroke:#1c1c1c;stroke:var(--ink);stroke-width:2.6}\
+.reuleaux .h{fill:none;stroke:#fff;stroke:var(--paper);stroke-width:12;stroke-linecap:butt}\
 .reuleaux .f{fill:none;stroke:currentColor;stroke-width:4.5}\
-.reuleaux .e{fill:var(--paper);fill-opacity:.6;stroke:none}\
-.reuleaux .v{fill:#fff;fill-opacity:.4;stroke:var(--ink);stroke-width:1.2}";
+.reuleaux .e{fill:#fff;fill:var(--paper);fill-opacity:.6;stroke:none}\
+.reuleaux .v{fill:#fff;fill-opacity:.4;stroke:#1c1c1c;stroke:var(--ink);stroke-width:1.2}";
 
 /// Title and description of a picture, for screen readers.
 pub(crate) struct Captions<'a> {

@@ -118,12 +118,21 @@ fn shapes_of_bodies_are_in_the_picture_and_turn_with_them() {
 fn springs_and_dampers_are_forces() {
     let mut scene = engine(0.5);
     let before = scene.draw().expect("it is drawn").svg().lines().nth(2).map(str::to_owned);
-    for kind in ["spring", "damper"] {
-        scene.joint(kind, kind).of(&["piston"]).point("P", GROUND, [0.4, 0.0]).point("Q", "piston", [0.0, 0.0]);
+    for (kind, height) in [("spring", 0.0), ("damper", 0.1), ("spring_damper", 0.2)] {
+        scene.joint(kind, kind).of(&["piston"]).point("P", GROUND, [0.4, height]).point("Q", "piston", [0.0, 0.0]);
     }
     let svg = scene.svg();
     assert_eq!(svg.lines().nth(2).map(str::to_owned), before, "joints are counted without them");
-    assert!(svg.contains("<title>spring: spring of ") && svg.contains("<title>damper: damper of "), "{svg}");
+    // Lines of the symbol: a coil; a pot and a piston; both, with bars at their ends.
+    let lines = |svg: &str, kind: &str| {
+        let before = svg.split_once(&format!("<title>{kind}: {kind} of ")).map(|(before, _)| before.to_owned());
+        before.map(|before| before.rsplit("d=\"").next().unwrap_or("").matches('M').count())
+    };
+    assert_eq!(["spring", "damper", "spring_damper"].map(|kind| lines(&svg, kind)), [Some(1), Some(4), Some(9)], "{svg}");
+    // Between the same points they are side by side.
+    scene.joint("strut", "damper").point("Q", GROUND, [0.4, 0.0]).point("P", "piston", [0.0, 0.0]);
+    let svg = scene.svg();
+    assert!(lines(&svg, "spring") == Some(9) && !svg.contains("<title>strut"), "{svg}");
     assert!(!svg.contains("class=\"d\""));
 }
 

@@ -33,7 +33,8 @@
 //! # Ok::<(), reuleaux_view::Unviewable>(())
 //! ```
 //!
-//! Bodies are drawn by their points and joints; [`View::outline`] gives them shapes, [`View::spring`] and [`View::damper`] add these symbols.
+//! Bodies are drawn by their points and joints, springs and dampers of the library by their symbols. [`View::outline`] gives bodies shapes,
+//! [`View::spring`] and [`View::damper`] add the symbols of other forces.
 //!
 //! Only the given states are shown, without interpolation, all in one view. A smooth animation needs 60 states for each second of playing
 //! time.

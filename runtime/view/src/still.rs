@@ -52,6 +52,9 @@ pub(crate) fn phases(recording: &Recording, drawn: &Drawn, frame: usize, others:
     }
     let resolved = page.replace("var(--main-color,#1c1c1c)", "#1c1c1c").replace("var(--main-background-color,#fff)", "#fff");
     let resolved = resolved.replace("var(--ink)", "#1c1c1c").replace("var(--paper)", "#fff");
+    // Colours stand twice in a rule, for programs that do not know variables.
+    let colours = ["stroke:#1c1c1c", "fill:#1c1c1c", "stroke:#fff", "fill:#fff"];
+    let resolved = colours.iter().fold(resolved, |page, colour| page.replace(&format!("{colour};{colour}"), colour));
     format!("{resolved}{}</svg>\n", drawn.film.foot())
 }
 
@@ -67,7 +70,7 @@ pub(crate) fn head(recording: &Recording, drawn: &Drawn, style: &str) -> String 
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"reuleaux\" role=\"img\" width=\"{width}\" height=\"{height}\" \
          viewBox=\"{left} {top} {width} {height}\">\n<title>{}</title>\n<desc>{}</desc>\n<style>{}{TRACE}{style}</style>\n\
-         <rect x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\" fill=\"var(--paper)\"/>\n",
+         <rect x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\" style=\"fill:#fff;fill:var(--paper)\"/>\n",
         escaped(&recording.title),
         escaped(drawn.film.description()),
         drawn.film.style(),

@@ -73,21 +73,18 @@ struct SceneComposer<'a> {
 impl SceneComposer<'_> {
     fn bodies(&self) -> TokenStream {
         let system = self.emitter.system;
+        let at = |index: usize| {
+            let (q, index) = (local("q"), number(index));
+            quote!(#q[#index].to_f64())
+        };
         let coordinate = |body: usize, role: Role| {
             let index = system.coordinates.iter().position(|unknown| unknown.body == body && unknown.role == role);
-            index.map_or(quote!(0.0), |index| {
-                let (q, index) = (local("q"), number(index));
-                quote!(#q[#index].to_f64())
-            })
+            index.map_or(quote!(0.0), at)
         };
         let scene = local("scene");
         let body = |(index, body): (usize, &crate::model::Body)| {
             let name = body.name.unraw();
             if !system.frames.is_empty() {
-                let at = |index: usize| {
-                    let (q, index) = (local("q"), number(index));
-                    quote!(#q[#index].to_f64())
-                };
                 let position = [0, 1, 2].map(|axis| at(Ambient::Space.first_coordinate(index) + axis));
                 let rotation = [0, 1, 2].map(|row| {
                     let entries = [0, 1, 2].map(|column| at(system.coordinates.len() + cosine(index, row, column)));
@@ -141,7 +138,11 @@ impl SceneComposer<'_> {
                 None => quote!(#scene.joint(#name, #kind).of(&[#(#bodies),*])#arguments;),
             }
         };
-        model.joints.iter().zip(&model.sketch.joints).enumerate().map(joint).collect()
+        let force = |(name, made): &(String, Instantiation)| {
+            let (kind, arguments, bodies) = (&made.kind, self.arguments(made), made.bodies().map(|body| model.drawn_name(body)));
+            quote!(#scene.joint(#name, #kind).of(&[#(#bodies),*])#arguments;)
+        };
+        model.joints.iter().zip(&model.sketch.joints).enumerate().map(joint).chain(model.sketch.forces.iter().map(force)).collect()
     }
 
     /// `.point("P", "crank", [0.1, 0.0])` …

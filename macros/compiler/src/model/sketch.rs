@@ -20,6 +20,8 @@ pub struct Sketch {
     pub axes: Vec<NamedPoint>,
     /// For each joint or drive, in the order declared, its arguments.
     pub joints: Vec<Instantiation>,
+    /// Springs and dampers by name, with the points between which they act.
+    pub forces: Vec<(String, Instantiation)>,
     /// The outputs that are points of bodies.
     pub outputs: Vec<NamedPoint>,
     /// In space: for each joint or drive, in the order declared, the rate of its law.
@@ -70,6 +72,19 @@ pub enum JointArgument {
     Joint(Instantiation),
 }
 
+impl Instantiation {
+    /// A spring or a damper with nothing but its points.
+    pub(crate) fn between(mut self) -> Option<Instantiation> {
+        self.arguments.retain(|(_, argument)| matches!(argument, JointArgument::Point(_)));
+        ["spring", "damper", "spring_damper"].contains(&self.kind.as_str()).then_some(self)
+    }
+
+    /// The bodies of its points.
+    pub(crate) fn bodies(&self) -> impl Iterator<Item = Option<usize>> {
+        self.arguments.iter().filter_map(|(_, argument)| if let JointArgument::Point(at) = argument { Some(at.body) } else { None })
+    }
+}
+
 impl Sketch {
     /// All numbers, and the values of all functions.
     pub(crate) fn exprs(&self) -> (Vec<Expr>, Vec<Expr>) {
@@ -78,7 +93,7 @@ impl Sketch {
             numbers.extend(point.at.local.iter());
         }
         numbers.extend(self.rates.iter().flatten());
-        let mut pending: Vec<&Instantiation> = self.joints.iter().collect();
+        let mut pending: Vec<&Instantiation> = self.joints.iter().chain(self.forces.iter().map(|(_, made)| made)).collect();
         while let Some(made) = pending.pop() {
             for (_, argument) in &made.arguments {
                 match argument {

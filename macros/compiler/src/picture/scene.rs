@@ -51,6 +51,13 @@ impl Composer<'_> {
             }
             self.give(drawn, made);
         }
+        for (name, made) in &model.sketch.forces {
+            let drawn = scene.joint(name, &made.kind);
+            for body in made.bodies() {
+                drawn.of(&[&model.drawn_name(body)]);
+            }
+            self.give(drawn, made);
+        }
         for output in &model.sketch.outputs {
             scene.output(&output.name, &model.drawn_name(output.at.body), self.local(output.at));
         }

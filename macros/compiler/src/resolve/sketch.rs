@@ -18,6 +18,8 @@ impl Elaborator<'_> {
         let arena = self.arena.clone();
         let points = register.marks.iter().filter_map(|mark| self.sketched_mark(*mark, false)).collect();
         let joints: Vec<Instantiation> = register.joints.iter().map(|(id, _)| self.sketched_joint(*id)).collect();
+        let forces = register.forces.iter().map(|(id, _)| (self.names.declared[id.0].name.unraw(), self.sketched_joint(*id)));
+        let forces = forces.filter_map(|(name, made)| Some((name, made.between()?))).collect();
         let outputs = register.outputs.iter().filter_map(|(id, output)| {
             let value = self.of(*id, output, |this, _, context| this.value(&output.value, &Scope::of(context)))?;
             let Value::Point(point) = value else { return None };
@@ -26,7 +28,7 @@ impl Elaborator<'_> {
         let outputs = outputs.collect();
         let rates = self.rates(&joints, register);
         let axes = register.marks.iter().filter_map(|mark| self.sketched_mark(*mark, true)).collect();
-        Sketch { arena: std::mem::replace(&mut self.arena, arena), points, axes, joints, outputs, rates }
+        Sketch { arena: std::mem::replace(&mut self.arena, arena), points, axes, joints, forces, outputs, rates }
     }
 
     /// The rates of the laws of drives in space, whose equations contain the quantities of joints.

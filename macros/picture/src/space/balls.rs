@@ -1,10 +1,11 @@
 //! Symbols with balls: spherical joints, rods, actuators, points on planes and lines.
 
 use super::drawing::Drawing;
-use super::placed::Of;
+use super::placed::{Of, Sign};
 use super::symbols::{PLATE, block, fork};
 use super::vector::Vec3;
 use crate::canvas::{Ink, Layer, Subject};
+use crate::springs::{KINDS, shared, symbol};
 use core::f64::consts::{FRAC_PI_2, PI};
 
 /// The radius of a ball.
@@ -66,6 +67,29 @@ impl Drawing<'_> {
         let joint = &self.scene.joints[number];
         let (title, name) = (self.title(joint), joint.name.clone());
         self.bar(&title, Layer::Rod, Ink::Rod, None, p.at, q.at);
+        self.balls(number, &title, p, q);
+        self.wish_beside(&name, p.at, q.at, Subject::Joint);
+    }
+
+    /// A spring, a damper, or both, with a ball at either end.
+    pub(super) fn force(&mut self, number: usize, p: Of, q: Of) {
+        let joint = &self.scene.joints[number];
+        let (title, name) = (self.title(joint), joint.name.clone());
+        let (way, camera) = (q.at - p.at, &self.sight.camera);
+        let side = self.sight.at(way).unit().perp();
+        let side = camera.right * side.x + camera.up * side.y;
+        let mut pen = self.pen(&title);
+        let is_end = |other: &Sign, point: &str, of: Of| {
+            other.given.point(point).is_some_and(|end| end.body == of.body && (end.at - of.at).norm() < 1.0)
+        };
+        let is_between = |other: &Sign, [one, two]: [Of; 2]| is_end(other, "P", one) && is_end(other, "Q", two);
+        let is_here = |other: &Sign| is_between(other, [p, q]) || is_between(other, [q, p]);
+        let here = self.scene.joints.iter().map(|other| other.kind.as_str()).enumerate();
+        let here = here.filter(|(number, kind)| KINDS.contains(kind) && is_here(&self.scene.joints[*number]));
+        if let Some(kind) = shared(number, &here.collect::<Vec<_>>()) {
+            pen.lines(Layer::Rod, Ink::Line, &symbol(kind, |part, across| p.at + way * part + side * across));
+        }
+        self.put(self.sight.depth(p.at + way * 0.5), pen);
         self.balls(number, &title, p, q);
         self.wish_beside(&name, p.at, q.at, Subject::Joint);
     }

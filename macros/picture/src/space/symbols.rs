@@ -6,6 +6,7 @@ use super::placed::{Of, Sign};
 use super::slides::Slide;
 use super::vector::{UP, Vec3, vec3};
 use crate::canvas::{Ink, Layer, Near, Subject};
+use crate::springs::KINDS;
 use core::f64::consts::PI;
 
 /// The length of a hinge.
@@ -37,7 +38,10 @@ impl Drawing<'_> {
     pub(crate) fn prepare(&mut self, number: usize) {
         let joint = &self.scene.joints[number];
         let points: Vec<Of> = joint.given.points().collect();
-        let has_symbol = joint.hinge().is_some() || joint.kind == "spherical" || joint.kind.ends_with("distance");
+        let has_symbol = joint.hinge().is_some()
+            || joint.kind == "spherical"
+            || joint.kind.ends_with("distance")
+            || KINDS.contains(&joint.kind.as_str());
         for body in points.iter().filter_map(|of| of.body).filter(|_| has_symbol) {
             self.shapes[body].is_shown = true;
         }
@@ -109,6 +113,7 @@ impl Drawing<'_> {
             ("weld", Some((p, ..)), ..) => self.weld(number, p),
             ("spherical", _, Some(p), Some(q)) => self.spherical(number, p, q),
             ("distance", _, Some(p), Some(q)) => self.rod(number, p, q),
+            (kind, _, Some(p), Some(q)) if KINDS.contains(&kind) => self.force(number, p, q),
             ("drive_distance", _, Some(p), Some(q)) => self.actuator(number, p, q),
             ("absolute_x", _, Some(p), _) => self.on_plane(number, None, p, vec3(1.0, 0.0, 0.0)),
             ("absolute_y", _, Some(p), _) => self.on_plane(number, None, p, vec3(0.0, 1.0, 0.0)),
