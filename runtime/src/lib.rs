@@ -221,6 +221,7 @@ pub use reuleaux_view as view;
 /// | [`optimising`](guide::optimising) | 15 | find dimensions, with exact derivatives |
 /// | [`parameter_sets`](guide::parameter_sets) | 10 | many mechanisms of one declaration |
 /// | [`files`](guide::files) | 10 | parameters from a file, motions as a table |
+/// | [`pictures`](guide::pictures) | 10 | drawings, motions that can be played, shapes of bodies |
 /// | [`control_loop`](guide::control_loop) | 10 | measurements and commands as inputs, a thousand times a second |
 /// | [`cams`](guide::cams) | 15 | motion by segments, cams and motion laws |
 /// | [`own_joint`](guide::own_joint) | 10 | a constraint of your own |
@@ -243,6 +244,9 @@ pub mod guide {
     #[cfg_attr(all(feature = "serde", feature = "std"), doc = include_str!("guide/files.md"))]
     #[cfg_attr(not(all(feature = "serde", feature = "std")), doc = "Needs the features `serde` and `std`.")]
     pub mod files {}
+    #[cfg_attr(feature = "view", doc = include_str!("guide/pictures.md"))]
+    #[cfg_attr(not(feature = "view"), doc = "This page needs the feature `view`.")]
+    pub mod pictures {}
     #[doc = include_str!("guide/control_loop.md")]
     pub mod control_loop {}
     #[doc = include_str!("guide/cams.md")]
