@@ -8,7 +8,7 @@ use reuleaux_benches::multibody::Model;
 use reuleaux_benches::multibody::arm::{self, A, CENTERS, D, DRIVES, INERTIAS, MASSES, TWIST};
 use reuleaux_benches::multibody::forces::reaction;
 
-use crate::case::{ACCELERATIONS, Case, Entry, Given, HAND_ACCELERATIONS, HAND_LOADS, LOADS, STATES};
+use crate::case::{ACCELERATIONS, Case, Entry, Given, HAND_ACCELERATIONS, HAND_LOADS, LOADS, STATES, exact_in};
 
 macro_rules! arm {
     ($(#[$page:meta])* $name:ident, $($rest:tt)*) => {
@@ -339,17 +339,16 @@ pub(crate) fn cases() -> [Case; 2] {
 }
 
 fn inverse() -> Case {
-    let model = released_model();
     let mechanism = Driven::default();
     let exact = |k: usize| {
         let [angle, rate, acceleration] = motion(k);
         let driven: Vec<(usize, f64)> = acceleration.into_iter().enumerate().collect();
-        (k, reaction(&model, &angle, &rate, &driven).efforts)
+        reaction(&released_model(), &angle, &rate, &driven).efforts
     };
     let states = (0..STATES).map(|k| mechanism.solve(k as f64 / STATES as f64).unwrap_or_else(|failure| panic!("{failure}")));
     Case {
         name: "D4 arm, torques".to_owned(),
-        exact: (0..STATES).step_by(8).map(exact).collect(),
+        exact: exact_in(8, exact),
         given: Some(Given { model: released_model(), states: (0..STATES).map(|k| motion(k).map(Vec::from).to_vec()).collect() }),
         entries: vec![
             Entry::new(
@@ -371,10 +370,9 @@ fn inverse() -> Case {
 }
 
 fn forward() -> Case {
-    let model = released_model();
     let exact = |k: usize| {
         let [angle, rate, _] = motion(k);
-        (k, reaction(&model, &angle, &rate, &[]).accelerations)
+        reaction(&released_model(), &angle, &rate, &[]).accelerations
     };
     let state = |k: usize| {
         let [q, u, _] = motion(k);
@@ -396,7 +394,7 @@ fn forward() -> Case {
     };
     Case {
         name: "D4 arm, accelerations".to_owned(),
-        exact: (0..STATES).step_by(8).map(exact).collect(),
+        exact: exact_in(8, exact),
         given: Some(Given {
             model: released_model(),
             states: (0..STATES).map(|k| motion(k)[..2].iter().map(|of| of.to_vec()).collect()).collect(),

@@ -1,5 +1,6 @@
 //! What is measured: something that is computed in each of many states.
 
+use std::cell::LazyCell;
 use std::hint::black_box;
 
 use reuleaux_benches::multibody::Model;
@@ -10,12 +11,19 @@ pub(crate) const STATES: usize = 256;
 /// A problem and everything that computes it.
 pub(crate) struct Case {
     pub(crate) name: String,
-    /// Exact numbers in some states.
-    pub(crate) exact: Vec<(usize, Vec<f64>)>,
+    pub(crate) exact: Exact,
     /// Contenders; ratios are to the first.
     pub(crate) entries: Vec<Entry>,
     /// The same for other people's programs, if there are any.
     pub(crate) given: Option<Given>,
+}
+
+/// Exact numbers in some states, which are computed when they are asked for.
+pub(crate) type Exact = LazyCell<Vec<(usize, Vec<f64>)>, Box<dyn FnOnce() -> Vec<(usize, Vec<f64>)>>>;
+
+/// The exact numbers in one state of `every` so many.
+pub(crate) fn exact_in(every: usize, of: impl Fn(usize) -> Vec<f64> + 'static) -> Exact {
+    LazyCell::new(Box::new(move || (0..STATES).step_by(every).map(|k| (k, of(k))).collect()))
 }
 
 /// A problem as data.

@@ -5,7 +5,7 @@ use reuleaux::{Dynamics, SimdReal, mechanism};
 use reuleaux_benches::multibody::forces::reaction;
 use reuleaux_benches::multibody::{Cut, Joint, Model};
 
-use crate::case::{ACCELERATIONS, BOTH, Case, Entry, Given, HAND, LOADS, STATES};
+use crate::case::{ACCELERATIONS, BOTH, Case, Entry, Given, HAND, LOADS, STATES, exact_in};
 
 const GRAVITY: f64 = 9.81;
 
@@ -14,7 +14,7 @@ const FEW: usize = 4;
 
 macro_rules! chain {
     ($name:ident, $state:ident, $loops:literal, $module:ident) => {
-        mod $module {
+        pub(crate) mod $module {
             use super::*;
 
             mechanism! {
@@ -36,7 +36,7 @@ macro_rules! chain {
                 }
             }
 
-            pub(super) fn case() -> Case {
+            pub(crate) fn case() -> Case {
                 let at = |k: usize| {
                     let (sine, cosine) = (std::f64::consts::TAU * k as f64 / STATES as f64).sin_cos();
                     let start = std::f64::consts::FRAC_PI_2 + 0.4 * sine;
@@ -53,7 +53,8 @@ macro_rules! chain {
                     states.iter().map(|(_, state)| [bars(state.q.as_slice()), bars(state.qd.as_slice())]).collect();
                 let given = inputs.iter().map(|bars| bars.map(|bars| super::relative(&bars)).to_vec()).collect();
                 let every = if $loops > 10 { STATES / FEW } else { STATES / 16 };
-                let exact = (0..STATES).step_by(every).map(|k| (k, super::exact($loops, &inputs[k][0], &inputs[k][1]))).collect();
+                let known = inputs.clone();
+                let exact = exact_in(every, move |k| super::exact($loops, &known[k][0], &known[k][1]));
                 let with = move |state: &$state<f64>, force: [f64; 2]| {
                     bars(state.qdd.as_slice()).into_iter().chain(force).collect::<Vec<f64>>()
                 };
@@ -96,10 +97,6 @@ macro_rules! chain {
 chain!(ChainOf2, ChainOf2State, 2, of_2);
 chain!(ChainOf10, ChainOf10State, 10, of_10);
 chain!(ChainOf40, ChainOf40State, 40, of_40);
-
-pub(crate) fn cases() -> Vec<Case> {
-    vec![of_2::case(), of_10::case(), of_40::case()]
-}
 
 /// Each coupler hangs on the crank before it.
 fn model(loops: usize) -> Model {

@@ -6,7 +6,7 @@ use reuleaux::{Dynamics, SimdReal};
 use reuleaux_benches::multibody::forces::reaction;
 use reuleaux_benches::released::four_bar::{Driven, DrivenState, FourBar, FourBarState, GRAVITY, LENGTHS, model};
 
-use crate::case::{ACCELERATIONS, BOTH, Case, Entry, Given, HAND, HAND_DRIVEN, LOADS, STATES, STEP};
+use crate::case::{ACCELERATIONS, BOTH, Case, Entry, Given, HAND, HAND_DRIVEN, LOADS, STATES, STEP, exact_in};
 
 /// Angles and speeds of the three bars.
 type Bars = [[f64; 3]; 2];
@@ -20,18 +20,19 @@ pub(crate) fn cases() -> Vec<Case> {
     let bars = |state: &FourBarState<f64>| [&state.q, &state.qd].map(|vector| [vector[2], vector[5], vector[8]]);
     let inputs: Vec<Bars> = states.iter().map(|(_, state)| bars(state)).collect();
     let given = inputs.iter().map(|bars| bars.map(|[a, b, c]| vec![a, b - a, c]).to_vec()).collect();
-    let exact = (0..STATES).map(|k| {
-        let [[a, b, c], [u, v, w]] = inputs[k];
+    let known = inputs.clone();
+    let exact = move |k: usize| {
+        let [[a, b, c], [u, v, w]] = known[k];
         let found = reaction(&model, &[a, b - a, c], &[u, v - u, w], &[]);
         let turning = found.bodies.iter().map(|numbers| numbers[23]);
         // The force on the rocker is against that on the coupler.
-        (k, turning.chain([-found.cuts[0][0], -found.cuts[0][1]]).collect())
-    });
+        turning.chain([-found.cuts[0][0], -found.cuts[0][1]]).collect()
+    };
     let with = |state: &FourBarState<f64>, force: [f64; 2]| [2, 5, 8].map(|k| state.qdd[k]).into_iter().chain(force).collect::<Vec<f64>>();
     vec![Case {
         name: "D2 four-bar".to_owned(),
-        exact: exact.collect(),
-        given: Some(Given { model: model.clone(), states: given }),
+        exact: exact_in(1, exact),
+        given: Some(Given { model: self::model(), states: given }),
         entries: vec![
             Entry::new(
                 HAND,
@@ -172,16 +173,16 @@ pub(crate) fn turning() -> Case {
     let states = |k: usize| (mechanism.solve(moment(k)[0]).unwrap_or_else(|failure| panic!("{failure}")), moment(k));
     let states: Vec<(DrivenState<f64>, [f64; 2])> = (0..STATES).map(states).collect();
     let model = model();
-    let exact = (0..STATES).map(|k| {
+    let exact = move |k: usize| {
         let state = mechanism.solve(moment(k)[1]).unwrap_or_else(|failure| panic!("{failure}"));
         let [[a, b, c], [u, v, w]] = [&state.q, &state.qd].map(|vector| [vector[2], vector[5], vector[8]]);
         let found = reaction(&model, &[a, b - a, c], &[u, v - u, w], &[(0, 0.0)]);
         let turning = [1, 2].map(|body: usize| found.bodies[body][23]);
-        (k, turning.into_iter().chain([-found.cuts[0][0], -found.cuts[0][1], found.efforts[0]]).collect())
-    });
+        turning.into_iter().chain([-found.cuts[0][0], -found.cuts[0][1], found.efforts[0]]).collect()
+    };
     Case {
         name: "D3 four-bar".to_owned(),
-        exact: exact.collect(),
+        exact: exact_in(1, exact),
         given: None,
         entries: vec![
             Entry::new(

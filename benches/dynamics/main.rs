@@ -19,16 +19,20 @@ use std::error::Error;
 
 use case::Case;
 
-/// All problems.
-fn cases() -> Vec<Case> {
-    let mut cases = four_bar::cases();
-    cases.extend([four_bar::turning(), slider_crank::case()]);
-    cases.extend(arm::cases());
-    cases.extend(chain::cases());
-    cases.push(spatial::case());
-    cases.extend(falling::cases());
-    cases.extend(gears::cases());
-    cases
+/// All problems, each prepared when it is its turn: the longest chain takes more time than all others.
+fn cases() -> impl Iterator<Item = Case> {
+    let prepared: [fn() -> Vec<Case>; 9] = [
+        four_bar::cases,
+        || vec![four_bar::turning(), slider_crank::case()],
+        || arm::cases().into(),
+        || vec![spatial::case()],
+        || falling::cases().into(),
+        || gears::cases().into(),
+        || vec![chain::of_2::case()],
+        || vec![chain::of_10::case()],
+        || vec![chain::of_40::case()],
+    ];
+    prepared.into_iter().flat_map(|prepare| prepare())
 }
 
 /// How often all contenders have their turn, if nothing is said.
@@ -38,7 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         [] => measure::print(cases(), ROUNDS),
-        ["count"] => measure::count(&cases())?,
+        ["count"] => measure::count(cases())?,
         ["data"] => println!("{}", measure::data(cases())),
         ["turns"] => measure::serve(cases())?,
         ["steps", case, contender, count] => measure::evaluate(cases(), [case, contender], count.parse()?)?,

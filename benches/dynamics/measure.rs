@@ -14,7 +14,7 @@ use crate::case::{Case, Contender, Entry, Given};
 const EVALUATIONS: usize = 2048;
 
 /// Prints the table.
-pub(crate) fn print(cases: Vec<Case>, rounds: usize) {
+pub(crate) fn print(cases: impl Iterator<Item = Case>, rounds: usize) {
     println!("| | | time | ratio | error |\n| --- | --- | ---: | ---: | ---: |");
     for mut case in cases {
         let errors: Vec<Option<f64>> = case.entries.iter_mut().map(|entry| error(&mut *entry.contender, &case.exact)).collect();
@@ -39,14 +39,14 @@ fn error(contender: &mut dyn Contender, exact: &[(usize, Vec<f64>)]) -> Option<f
 }
 
 /// Problems that others solve as well, with what is exact in some states, and the errors of our contenders.
-pub(crate) fn data(mut cases: Vec<Case>) -> Value {
-    let with_given = |case: &mut Case| {
+pub(crate) fn data(cases: impl Iterator<Item = Case>) -> Value {
+    let with_given = |mut case: Case| {
         let given = case.given.take()?;
         let errors = |entry: &mut Entry| (entry.name.to_owned(), json!(error(&mut *entry.contender, &case.exact)));
         let errors: Map<String, Value> = case.entries.iter_mut().map(errors).collect();
-        Some(described(case, &given, &errors))
+        Some(described(&case, &given, &errors))
     };
-    json!(cases.iter_mut().filter_map(with_given).collect::<Vec<_>>())
+    json!(cases.filter_map(with_given).collect::<Vec<_>>())
 }
 
 fn described(case: &Case, given: &Given, errors: &Map<String, Value>) -> Value {
@@ -60,13 +60,13 @@ fn described(case: &Case, given: &Given, errors: &Map<String, Value>) -> Value {
 }
 
 /// Times of an evaluation, problem by problem as they are asked for.
-pub(crate) fn serve(cases: Vec<Case>) -> Result<(), Box<dyn Error>> {
+pub(crate) fn serve(cases: impl Iterator<Item = Case>) -> Result<(), Box<dyn Error>> {
     let way = |mut entry: Entry| Way {
         name: entry.name.to_owned(),
         steps: EVALUATIONS,
         run: Box::new(move || entry.contender.evaluate(EVALUATIONS)),
     };
-    let cases = RefCell::new(cases);
+    let cases = RefCell::new(cases.collect::<Vec<Case>>());
     served::serve(|name| {
         let mut cases = cases.borrow_mut();
         let place = cases.iter().position(|case| case.name == name)?;
@@ -75,7 +75,7 @@ pub(crate) fn serve(cases: Vec<Case>) -> Result<(), Box<dyn Error>> {
 }
 
 /// Instructions of an evaluation of each contender.
-pub(crate) fn count(cases: &[Case]) -> Result<(), Box<dyn Error>> {
+pub(crate) fn count(cases: impl Iterator<Item = Case>) -> Result<(), Box<dyn Error>> {
     println!("| | | instructions | ratio |\n| --- | --- | ---: | ---: |");
     for case in cases {
         let mut first = None;
@@ -88,8 +88,8 @@ pub(crate) fn count(cases: &[Case]) -> Result<(), Box<dyn Error>> {
 }
 
 /// What runs when instructions are counted.
-pub(crate) fn evaluate(cases: Vec<Case>, [name, contender]: [&str; 2], count: usize) -> Result<(), Box<dyn Error>> {
-    let case = cases.into_iter().find(|case| case.name == name).ok_or("no such problem")?;
+pub(crate) fn evaluate(mut cases: impl Iterator<Item = Case>, [name, contender]: [&str; 2], count: usize) -> Result<(), Box<dyn Error>> {
+    let case = cases.find(|case| case.name == name).ok_or("no such problem")?;
     let mut entry = case.entries.into_iter().find(|entry| entry.name == contender).ok_or("no such contender")?;
     entry.contender.evaluate(count);
     Ok(())
