@@ -210,7 +210,7 @@ pub(super) fn kinetic(model: &Model, arena: &mut Arena) -> Expr {
 }
 
 /// A (I' ω̇' + ω' × I' ω'), with ω' = Aᵀ ω and ω̇' = Aᵀ ω̇: in the axes of the body, where I' is constant; I ω̇ if inertia is the same about
-/// all axes.
+/// all axes, and in ground if it is the same across one axis z: I ω̇ + (I_z − I) ((z · ω̇) z + (z · ω) ω × z).
 fn euler(arena: &mut Arena, declared: &Mass, body: usize, speed: Triple, turning: Triple) -> Triple {
     let zero = arena.integer(0);
     let Some(inertia) = &declared.inertia else { return [zero; 3] };
@@ -218,6 +218,19 @@ fn euler(arena: &mut Arena, declared: &Mass, body: usize, speed: Triple, turning
         return turning.map(|part| arena.mul(inertia[0], part));
     }
     let axes = axes(arena, body);
+    if let Some(axis) = axis_of_symmetry(inertia, zero) {
+        let (across, z) = (inertia[(axis + 1) % 3], axes[axis]);
+        let more = arena.sub(inertia[axis], across);
+        let [spin, growth] = [speed, turning].map(|vector| {
+            let along = dot(arena, z, vector);
+            arena.mul(more, along)
+        });
+        let swing = cross(arena, speed, z);
+        return [0, 1, 2].map(|k| {
+            let terms = [(across, turning[k]), (growth, z[k]), (spin, swing[k])].map(|(a, b)| arena.mul(a, b));
+            arena.sum(&terms)
+        });
+    }
     let [speed, turning] = [speed, turning].map(|vector| axes.map(|axis| dot(arena, axis, vector)));
     let (change, gyroscopic) = (inertia_times(arena, inertia, turning), gyroscopic(arena, inertia, speed));
     let sum = [0, 1, 2].map(|k| arena.add(change[k], gyroscopic[k]));
@@ -234,6 +247,12 @@ pub(super) fn gyroscopic(arena: &mut Arena, inertia: &[Expr], spin: Triple) -> T
         let (rest, product) = (arena.sub(inertia[j], inertia[i]), arena.mul(spin[i], spin[j]));
         arena.mul(rest, product)
     })
+}
+
+/// The principal axis across which the moments of inertia are equal.
+fn axis_of_symmetry(inertia: &[Expr], zero: Expr) -> Option<usize> {
+    let is_across = |axis: &usize| inertia[(axis + 1) % 3] == inertia[(axis + 2) % 3];
+    (0..3).find(|axis| is_about_principal_axes(inertia, zero) && is_across(axis))
 }
 
 /// True if the products of inertia vanish.
