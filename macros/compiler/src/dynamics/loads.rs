@@ -4,13 +4,15 @@
 //! Φ_uᵀ λ = −f      one row for each speed, one column for each multiplier; those of freedoms vanish
 //! ```
 //!
-//! 1. Entries ±1 are pivots at every pose: most forces at joints follow from each other by sums.
-//! 2. The rest falls apart into blocks, each with the multipliers of one loop. Up to three are solved by cofactors, more by elimination.
+//! 1. Entries ±1 are pivots at every pose: most forces at joints follow from each other by sums. In space, rows with opposite entries are added
+//!    as well: the moments at the joints of a tree follow from each other by sums.
+//! 2. The rest falls apart into blocks, each with the multipliers of one loop, or of one joint of a tree. Columns that are axes of a body are
+//!    solved by the transpose; of others up to three are solved by cofactors, more by elimination.
 //!
 //! Determinants and pivots are compared with their terms while they are used: where one is too small, the runtime eliminates all rows with
 //! complete pivoting.
 
-use super::axes::AxesOfBody;
+use super::axes::{AxesOfBody, Orientations};
 use super::cofactors::{BY_COFACTORS, Cofactors};
 use super::elimination::SparseRows;
 use super::order::{Grouping, OpenRows};
@@ -58,8 +60,8 @@ pub(crate) fn loads(model: &Model, system: &System, structure: &Structure, assem
     let closed = is_square.then(|| {
         at_defaults(model, system, |numeric| {
             let numbers = numbers(numeric, &mut arena, assembly, equations);
-            let first_cosine = (model.ambient == Ambient::Space).then_some(system.coordinates.len());
-            LoadMatrix::new(&mut arena, equations, numbers, (numeric.size, first_cosine)).multipliers()
+            let orientations = (model.ambient == Ambient::Space).then(|| Orientations::of_state(&mut arena, system));
+            LoadMatrix::new(&mut arena, equations, numbers, (numeric.size, orientations)).multipliers()
         })
     });
     let closed = closed.flatten().map(|(mut values, checks)| {
@@ -168,8 +170,8 @@ struct LoadMatrix<'a> {
     lengths: Vec<f64>,
     /// Sum of the sizes of each row where the mechanism is assembled.
     sizes: Vec<f64>,
-    /// In space the number of the first entry of a rotation matrix.
-    first_cosine: Option<usize>,
+    /// In space the orientations of the bodies.
+    orientations: Option<Orientations>,
     checks: Vec<[Expr; 2]>,
 }
 
@@ -178,7 +180,7 @@ impl<'a> LoadMatrix<'a> {
         arena: &'a mut Arena,
         equations: &LoadEquations,
         numbers: BTreeMap<(usize, usize), f64>,
-        (size, first_cosine): (f64, Option<usize>),
+        (size, orientations): (f64, Option<Orientations>),
     ) -> LoadMatrix<'a> {
         let count = equations.forces.len();
         let (mut entries, mut values) = (vec![BTreeMap::new(); count], vec![BTreeMap::new(); count]);
@@ -206,16 +208,19 @@ impl<'a> LoadMatrix<'a> {
             open: [(0..count).collect(), (0..count).collect()],
             pivots: Vec::new(),
             lengths,
-            first_cosine,
+            orientations,
             checks: Vec::new(),
         }
     }
 
     /// λ, and the checks of its computation; `None` if the equations do not determine all of them.
     fn multipliers(mut self) -> Option<(Vec<Expr>, Vec<[Expr; 2]>)> {
+        // Before pivots, and again: without forces more rows are opposite to others.
+        self.add_opposite_rows();
         while let Some((row, column)) = self.next_unit() {
             self.eliminate(row, column);
         }
+        self.add_opposite_rows();
         let zero = self.arena.integer(0);
         let mut values = vec![zero; self.lengths.len()];
         for (rows, columns) in self.blocks()? {
@@ -274,6 +279,38 @@ impl<'a> LoadMatrix<'a> {
             let product = self.arena.mul(factor, side);
             self.sides[other] = self.arena.add(self.sides[other], product);
         }
+    }
+
+    /// In space, adds rows to others that have the opposite of all their entries: the moments of a body to those of the body that carries it.
+    fn add_opposite_rows(&mut self) {
+        if self.orientations.is_none() {
+            return;
+        }
+        while let Some((row, other)) = self.next_opposite() {
+            for column in self.entries[row].clone().into_keys() {
+                self.entries[other].remove(&column);
+                self.numbers[other].remove(&column);
+            }
+            self.sides[other] = self.arena.add(self.sides[other], self.sides[row]);
+        }
+    }
+
+    /// A row, and another that has the opposite of its entries besides others.
+    fn next_opposite(&mut self) -> Option<(usize, usize)> {
+        let mut rows_of = BTreeMap::<(usize, Expr), Vec<usize>>::new();
+        for row in &self.open[0] {
+            self.entries[*row].iter().for_each(|(column, entry)| rows_of.entry((*column, *entry)).or_default().push(*row));
+        }
+        for row in &self.open[0] {
+            let opposite: Vec<(usize, Expr)> = self.entries[*row].iter().map(|(column, entry)| (*column, self.arena.neg(*entry))).collect();
+            let Some(candidates) = opposite.first().and_then(|first| rows_of.get(first)) else { continue };
+            let has_all = |other: &&usize| opposite.iter().all(|(column, entry)| self.entries[**other].get(column) == Some(entry));
+            let is_longer = |other: &&usize| self.entries[**other].len() > opposite.len();
+            if let Some(other) = candidates.iter().filter(is_longer).find(has_all) {
+                return Some((*row, *other));
+            }
+        }
+        None
     }
 
     /// Rows and columns of each remaining block, in the order of solution.
@@ -346,7 +383,7 @@ impl<'a> LoadMatrix<'a> {
 
     /// The unknowns of a block whose columns are the axes of a body.
     fn along_axes(&mut self, matrix: &[Vec<Expr>], sides: &[Expr]) -> Option<Vec<Expr>> {
-        let axes = AxesOfBody::find(self.arena, matrix, self.first_cosine?)?;
+        let axes = AxesOfBody::find(self.arena, matrix, self.orientations.as_ref()?)?;
         Some(axes.solve(self.arena, sides))
     }
 

@@ -59,6 +59,23 @@ const GEARS: &str = "mechanism Gears in space {
     freedom spin = dot(carrier.first, first.angular_velocity - carrier.angular_velocity) from 4rad_s;
 }";
 
+/// Three hinges one after the other, the last with its axes against each other.
+const ARM: &str = "mechanism Arm in space {
+    gravity = (0m_s2, 0m_s2, -9.81m_s2);
+    ground { axis z = (0, 0, 1); }
+    body one { axis z = (0, 0, 1);  axis next = (0, 1, 0);  point P = (0.1m, 0m, 0.3m);
+        mass = 3kg;  center = (0m, 0.1m, 0.2m);  inertia = (0.1kgm2, 0.2kgm2, 0.25kgm2); }
+    body two { axis z = (0, 0, 1);  axis next = (1, 0, 0);  point P = (0.2m, 0.5m, 0m);
+        mass = 2kg;  center = (0.1m, 0.2m, 0m);  inertia = (0.05kgm2, 0.03kgm2, 0.05kgm2); }
+    body three { axis z = (0, -1, 0);  mass = 1kg;  center = (0m, 0.1m, 0.3m);  inertia = (0.02kgm2, 0.02kgm2, 0.01kgm2);  TURNED }
+    joint a = revolute(ground.position, ground.z, one.position, one.z);
+    joint b = revolute(one.P, one.next, two.position, two.z);
+    joint c = revolute(two.P, two.next, three.position, three.z);
+    drive of_a = drive_rotation(a, 0.3rad + 0.8rad * sin(1rad_s * t));
+    drive of_b = drive_rotation(b, 0.5rad - 0.4rad * sin(2rad_s * t));
+    drive of_c = drive_rotation(c, 0.7rad + 1rad_s * t);
+}";
+
 /// Evaluates loads at the assembled pose, with rates and accelerations that no motion has.
 fn agrees(declaration: &str) {
     let compiled = compile(declaration.parse().expect("tokens")).expect("a valid mechanism");
@@ -123,6 +140,18 @@ fn loads_along_axes_agree_with_a_dense_solution_and_need_no_determinant() {
     agrees(&text);
     let code = compile(text.parse().expect("tokens")).expect("a valid mechanism").plan.loads.expect("loads");
     assert_eq!(code.closed.expect("a closed form").results.len(), code.multipliers + code.width);
+}
+
+#[test]
+fn loads_of_hinges_one_after_the_other_need_no_determinant() {
+    for turned in ["", "start orientation = turn((0, 0, 1), 90deg);"] {
+        let text = ARM.replace("TURNED", turned);
+        agrees(&text);
+        let code = compile(text.parse().expect("tokens")).expect("a valid mechanism").plan.loads.expect("loads");
+        let closed = code.closed.expect("a closed form");
+        assert_eq!(closed.results.len(), code.multipliers + code.width);
+        assert_eq!((closed.cost.divisions, closed.cost.sines), (0, 0));
+    }
 }
 
 #[test]

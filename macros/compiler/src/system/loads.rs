@@ -7,7 +7,7 @@
 //! Leaves are the entries of a state: in space those of the rotation matrices, ω and ω̇ stand behind the unknowns.
 
 use super::rows::Row;
-use super::{COSINES, Equation, balance, cosine, declared, dynamics};
+use super::{COSINES, Equation, Level, balance, cosine, declared, dynamics, parallel};
 use crate::expr::{Arena, Binary, Expr, Leaf, Mark, Node, Substitution, Triple, combination, derivative};
 use crate::model::{DECLARED, Model, Triad};
 use crate::quantity::{Dim, Role, SpeedRole};
@@ -60,6 +60,7 @@ impl LoadEquations {
         for (row, equation) in declared.iter().zip(&mut equations) {
             angles.add_slopes(arena, row, equation);
         }
+        parallel::by_axes_of_one_body(model, arena, aligned, &mut equations);
         let rows = rows(model, arena, equations.iter());
         Some(LoadEquations::new(model, arena, forces, rows))
     }
@@ -83,6 +84,26 @@ impl LoadEquations {
         let arms = self.arms.iter_mut().flatten().flat_map(|(_, arm)| arm);
         let pushes = self.pushes.iter_mut().flatten();
         self.forces.iter_mut().chain(rows).chain(arms).chain(&mut self.energies).chain(pushes).for_each(|expr| *expr = of(*expr));
+        self
+    }
+
+    /// With the rates of the unknowns that drives prescribe for those of their laws, which are sines at times.
+    ///
+    /// * `equations`: of positions, by the unknowns.
+    pub(super) fn with_rates(mut self, model: &Model, arena: &mut Arena, equations: &[Equation]) -> LoadEquations {
+        let one = arena.integer(1);
+        for row in self.rows.iter_mut().filter(|row| model.joints[row.joint].is_drive) {
+            if arena.as_constant(row.nu).is_some() {
+                continue;
+            }
+            let mut own = equations.iter().filter(|equation| equation.joint == row.joint);
+            if let (Some(Equation { jacobian, level: Level::Position { .. }, .. }), None) = (own.next(), own.next())
+                && let [(unknown, entry)] = jacobian.as_slice()
+                && *entry == one
+            {
+                row.nu = arena.leaf(Leaf::Speed(*unknown as u32));
+            }
+        }
         self
     }
 
@@ -156,12 +177,13 @@ impl JointAngles {
         let (mut known, mut back) = (Vec::new(), Substitution::new());
         for (number, [one, two]) in aligned {
             let (_, expr) = &model.space.quantities[*number as usize];
+            // The rows of the same joint are by the axes of the first body as well.
+            let axis = parallel::in_ground(arena, *one)[2];
             let leaf = Leaf::Coordinate(DECLARED + (Role::SPACE.len() * model.bodies.len()) as u32 + *number);
             back.replace(leaf, *expr);
             let mut turns = Vec::new();
             for (triad, is_ahead) in [(two, true), (one, false)] {
                 let Some(body) = triad.body else { continue };
-                let axis = arena.turned(body, triad.axes[2]);
                 turns.push((body, if is_ahead { axis } else { axis.map(|part| arena.neg(part)) }));
             }
             known.push(JointAngle { leaf, expr: *expr, turns });

@@ -16,6 +16,7 @@ mod forest;
 mod loads;
 mod magnitude;
 mod own_axes;
+mod parallel;
 mod pattern;
 mod pins;
 mod rows;
@@ -290,7 +291,10 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
     let pattern = pattern::pattern(model, &arena, coordinates.len(), &equations);
     let (declared, loads) = match model.ambient {
         Ambient::Plane => (None, LoadEquations::in_plane(model, &mut arena, equations.iter().chain(&of_speeds))),
-        Ambient::Space => (Some(Box::new(declared::declared(model))), loads),
+        Ambient::Space => {
+            let loads = loads.map(|loads| loads.with_rates(model, &mut arena, &equations));
+            (Some(Box::new(declared::declared(model))), loads)
+        }
     };
     slices_have_loads(model, loads.is_some(), diag)?;
     let speeds = coordinates.iter().map(|coordinate| Speed { body: coordinate.body, role: speed_of(coordinate.role) }).collect();
