@@ -13,7 +13,7 @@
 ///
 /// Reference: Nikravesh, section 4.2.4; Haug, section 3.3.
 constraint distance(P: Point, Q: Point, c: Length) {
-    require c != 0: "a distance of zero cannot be differentiated where it holds: use `revolute` to keep two points together";
+    require c != 0: "a distance of zero cannot be differentiated where it holds: use `revolute`, in space `spherical`, to keep two points together";
     require c >= 0: "a distance is not negative";
     require P.body != Q.body: "the two points of a distance constraint lie on the same body";
     dot(Q - P, Q - P) == c^2;

@@ -12,7 +12,7 @@
 ///
 /// Reference: Nikravesh, section 4.2.6; Haug, section 3.5.
 constraint drive_distance(P: Point, Q: Point, C: Length) {
-    require C != 0: "a distance of zero cannot be differentiated where it holds: use `revolute` to keep two points together";
+    require C != 0: "a distance of zero cannot be differentiated where it holds: use `revolute`, in space `spherical`, to keep two points together";
     require P.body != Q.body: "the two points of a distance drive lie on the same body";
     dot(Q - P, Q - P) == C^2;
 }

@@ -9,5 +9,7 @@
 /// Reference: Batchelor, An Introduction to Fluid Dynamics, section 5.11.
 force drag(P: Point, factor: Mass / Length) {
     let v = rate(P);
-    at P: -factor * norm(v) * v;
+    // The length of a vector has no derivative where it is zero; the force has.
+    let speed: Velocity = if dot(v, v) > 0 { norm(v) } else { 0 };
+    at P: -factor * speed * v;
 }

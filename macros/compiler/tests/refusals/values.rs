@@ -4,8 +4,8 @@ crate::refusals! {
     item roller_without_radius: "joint a = cam_roller(crank.O, ram.B, «0mm», lift);" => "the radius of the roller is not positive: for a follower without a roller use `cam_knife`";
     mechanism an_axis_that_vanishes_at_the_defaults: "mechanism Way { param ax: Number = 0; ground { axis «u» = (ax, 0); } body s {} joint g = translational(ground.u, ground.position, s.position); drive m = drive_x(s.position, 1m * sin(1rad_s * t)); }" => "an axis of length zero has no direction\nnote: it is 0 at the declared defaults";
     item distance_below_zero: "joint a = distance(ground.O, crank.A, «-5mm»);" => "a distance is not negative";
-    item distance_of_zero: "joint a = distance(ground.O, crank.A, «0mm»);" => "a distance of zero cannot be differentiated where it holds: use `revolute` to keep two points together";
-    item distance_of_a_zero_parameter: "param zero: Length = 0mm; joint a = distance(ground.O, crank.A, «zero»);" => "a distance of zero cannot be differentiated where it holds: use `revolute` to keep two points together\nnote: it is 0 at the declared defaults";
+    item distance_of_zero: "joint a = distance(ground.O, crank.A, «0mm»);" => "a distance of zero cannot be differentiated where it holds: use `revolute`, in space `spherical`, to keep two points together";
+    item distance_of_a_zero_parameter: "param zero: Length = 0mm; joint a = distance(ground.O, crank.A, «zero»);" => "a distance of zero cannot be differentiated where it holds: use `revolute`, in space `spherical`, to keep two points together\nnote: it is 0 at the declared defaults";
     item absolute_distance_of_zero: "joint a = absolute_distance(crank.A, (0mm, 0mm), «0»);" => "a distance of zero cannot be differentiated where it holds: use `revolute` to keep a point in place";
     item gear_without_radius: "joint a = gear_pair(crank, ram, 1, «0»);" => "a gear without radius or teeth turns nothing: the ratio of a gear pair may not be zero";
     item gear_without_radius_by_name: "joint a = gear_pair(crank, ram, a: «0mm», b: 1mm);" => "a gear without radius or teeth turns nothing: the ratio of a gear pair may not be zero";
