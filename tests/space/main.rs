@@ -8,6 +8,7 @@ mod loads;
 mod mechanisms;
 mod objective;
 mod opposed;
+mod redundant;
 mod starts;
 mod states;
 mod units;

@@ -73,6 +73,8 @@ fn sum_of_terms(arena: &mut Arena, root: Expr, unknowns: &[usize], all: &[Coordi
                 arena.div(a, b)
             }
             Node::Unary(Unary::Neg | Unary::Abs, a) => of(a),
+            // A component of a vector may vanish; those that it is computed from do not.
+            Node::Marked { value, .. } if unknowns.is_empty() => of(value),
             Node::Unary(Unary::Sqrt, a) => {
                 let a = of(a);
                 arena.sqrt(a)
