@@ -87,6 +87,25 @@ fn four_bar_far_from_the_origin_is_at_the_rounding_limit() {
     check::<FourBar, _>("far_origin", all);
 }
 
+reuleaux::mechanism! {
+    /// A block on a rod of 50 mm, 1000 km from the origin: 30 mm above the rod's other end it is 40 mm beside it.
+    mechanism FarRod {
+        param height: Length = 30mm;
+        body block { start position = (1000000.04m, 1000000.03m); }
+        joint upright = absolute_angle(block, 0);
+        joint rod = absolute_distance(block.position, (1000000m, 1000000m), 50mm);
+        drive lift = drive_y(block.position, 1000000m + height + 10mm * sin(1rad_s * t));
+    }
+}
+
+#[test]
+fn rod_far_from_the_origin_is_not_at_a_dead_point() {
+    let state = FarRod::default().solve(0.0).unwrap_or_else(|failure| panic!("{failure}"));
+    // x² + y² = (50 mm)² with ẏ = 10 mm/s: ẋ = −y ẏ/x = −7.5 mm/s. A place there has a rounding error of 6e-11 m.
+    let (place, velocity) = (state.block().position, state.block().velocity);
+    assert!((place.x - 1_000_000.04).abs() < 3e-10 && (velocity.x + 7.5e-3).abs() < 1e-10, "{place} {velocity}");
+}
+
 #[test]
 fn four_bar_after_many_turns_is_at_the_rounding_limit() {
     check::<FourBar, _>("many_turns", all);

@@ -85,7 +85,8 @@ fn what_joints_demand_is_refused_with_parameter_and_joint() {
     let refused = |change: &dyn Fn(&mut Bounded)| refused(change).to_string();
     let gear = "a gear without radius or teeth turns nothing: the ratio of a gear pair may not be zero";
     assert_eq!(refused(&|m| m.gear[1].count = 0.0), format!("`gear[1].count` = 0: {gear} (`gear[1].mesh.a`)"));
-    let apart = "a distance of zero cannot be differentiated where it holds: use `revolute`, in space `spherical`, to keep two points together";
+    let apart =
+        "a distance of zero cannot be differentiated where it holds: use `revolute`, in space `spherical`, to keep two points together";
     assert_eq!(refused(&|m| m.away = -0.049), format!("`link.c` = 0 m: {apart} (it follows from `away`, `trim[2]`)"));
 }
 

@@ -99,7 +99,8 @@ impl Node {
     }
 }
 
-/// Rounding scale of each root: the sum of its terms as if none cancelled, with sines and cosines taken as 1.
+/// Rounding scale of each root: the sum of its terms as if none cancelled, with sines and cosines taken as 1; of a product, the factors times the
+/// scales of the other factors.
 pub(crate) fn magnitudes(arena: &Arena, roots: &[Expr], values: &Values) -> Vec<f64> {
     let order = arena.reachable(roots);
     let of = evaluate(arena, &order, values);
@@ -111,7 +112,11 @@ pub(crate) fn magnitudes(arena: &Arena, roots: &[Expr], values: &Values) -> Vec<
             Node::Unary(Unary::Neg | Unary::Abs, a) | Node::Marked { value: a, .. } => size(a),
             Node::Unary(Unary::Sin | Unary::Cos, _) => 1.0,
             Node::Binary(Binary::Add | Binary::Sub, a, b) => size(a) + size(b),
-            Node::Binary(Binary::Mul, a, b) => size(a) * size(b),
+            // An error of one factor counts as often as the other factor says, which may be a difference of large terms.
+            Node::Binary(Binary::Mul, a, b) => {
+                let (all, one, two) = (size(a) * size(b), of[slot(a)].abs() * size(b), of[slot(b)].abs() * size(a));
+                all.min(one + two + f64::EPSILON * all)
+            }
             Node::Binary(Binary::Div, a, b) => size(a) / of[slot(b)].abs(),
             _ => value.abs(),
         });
