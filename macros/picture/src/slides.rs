@@ -6,7 +6,7 @@ use crate::habits::Guide;
 use crate::pins::{Look, RADIUS, ground};
 use crate::placed::Sign;
 use crate::plane::{Place, place, polar};
-use crate::springs::{KINDS, shared, symbol};
+use crate::springs::{drawn, symbol};
 use core::f64::consts::PI;
 
 /// Half the size of a block, along its guide and across.
@@ -102,15 +102,11 @@ impl Drawing<'_> {
     /// A spring, a damper, or both between two points.
     pub(crate) fn force(&mut self, joint: usize, (i, p): (Option<usize>, Place), (j, q): (Option<usize>, Place)) {
         let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
-        let is_end = |other: &Sign, point: &str, (body, at): (Option<usize>, Place)| {
-            other.point(point).is_some_and(|end| end.0 == body && (self.view.at(end.1) - self.view.at(at)).norm() < 1.0)
-        };
-        let is_between = |other: &Sign, [one, two]: [(Option<usize>, Place); 2]| is_end(other, "P", one) && is_end(other, "Q", two);
-        let is_here = |other: &Sign| is_between(other, [(i, p), (j, q)]) || is_between(other, [(j, q), (i, p)]);
-        let here = self.scene.joints.iter().map(|other| other.kind.as_str()).enumerate();
-        let here = here.filter(|(number, kind)| KINDS.contains(kind) && is_here(&self.scene.joints[*number]));
-        let (p, q, here) = (self.view.at(p), self.view.at(q), here.collect::<Vec<_>>());
-        if let Some(kind) = shared(joint, &here) {
+        let ends = |other: &Sign| Some([other.point("P")?, other.point("Q")?]);
+        let joints: Vec<_> = self.scene.joints.iter().map(|other| (other.kind.as_str(), ends(other))).collect();
+        let symbol_here = drawn(joint, &joints, |one, two| one.0 == two.0 && (self.view.at(one.1) - self.view.at(two.1)).norm() < 1.0);
+        let (p, q) = (self.view.at(p), self.view.at(q));
+        if let Some(kind) = symbol_here {
             let lines = symbol(kind, |part, across| p + (q - p) * part + (q - p).unit().perp() * across);
             self.canvas.draw(Layer::Rod, Ink::Line, &title, Stroke::Open(lines));
         }

@@ -6,18 +6,21 @@ pub(crate) const KINDS: [&str; 3] = ["spring", "damper", "spring_damper"];
 /// Distance from the line between the points to each of a spring and a damper side by side.
 const BESIDE: f64 = 9.5;
 
-/// The symbol of force `own` among all `between` the same points, each with its number and its kind: a spring and a damper are drawn side by side,
-/// by the first of them.
-pub(crate) fn shared<'a>(own: usize, between: &[(usize, &'a str)]) -> Option<&'a str> {
-    let kind = between.iter().find(|(number, _)| *number == own)?.1;
-    let is_first = between.first().is_some_and(|(number, _)| *number == own);
-    match between.iter().any(|(_, other)| *other != kind) {
-        true => is_first.then_some(KINDS[2]),
-        false => Some(kind),
+/// The symbol of joint `own`, if that is a force. A spring and a damper between the same ends are drawn side by side, by the first of them.
+///
+/// * `joints`: the kind of each joint, and the ends of each that has two points.
+pub(crate) fn drawn<'a, E: Copy>(own: usize, joints: &[(&'a str, Option<[E; 2]>)], are_same: impl Fn(E, E) -> bool) -> Option<&'a str> {
+    let (kind, [p, q]) = (joints.get(own)?.0, joints.get(own)?.1?);
+    let is_here = |[one, two]: [E; 2]| are_same(p, one) && are_same(q, two) || are_same(p, two) && are_same(q, one);
+    let is_force = |(kind, ends): &(&str, Option<[E; 2]>)| KINDS.contains(kind) && ends.is_some_and(is_here);
+    let here: Vec<usize> = (0..joints.len()).filter(|number| is_force(&joints[*number])).collect();
+    if here.iter().all(|number| joints[*number].0 == kind) {
+        return Some(kind);
     }
+    (here.first() == Some(&own)).then_some(KINDS[2])
 }
 
-/// The lines of a symbol. `at` is the place at a part of the way between the points, and so many units of the picture beside it.
+/// The lines of a symbol. `at(part, beside)` is the place after a part of the way between the points, and `beside` units of the picture beside it.
 pub(crate) fn symbol<P>(kind: &str, at: impl Fn(f64, f64) -> P) -> Vec<Vec<P>> {
     match kind {
         "spring" => vec![coil(&at, [0.0, 1.0], 0.0)],

@@ -48,7 +48,7 @@ impl Emitter<'_> {
     }
 }
 
-/// The implementation of `Sketch`, which makes a mechanism `Drawable`. Its one path into the runtime has the span of `#[picture]`, where rustc says which feature is missing.
+/// Implements `Sketch`, for `Drawable`. Its one path into the runtime has the span of `#[picture]`, where rustc says which feature is missing.
 pub(super) fn implementation(word: &Ident, name: &Ident, n: usize, body: &TokenStream) -> TokenStream {
     let (import, n, allowed) = (quote_spanned!(word.span()=> use ::reuleaux::picture as __picture;), number(n), super::allowed());
     quote! {

@@ -112,7 +112,7 @@ pub(crate) fn magnitudes(arena: &Arena, roots: &[Expr], values: &Values) -> Vec<
             Node::Unary(Unary::Neg | Unary::Abs, a) | Node::Marked { value: a, .. } => size(a),
             Node::Unary(Unary::Sin | Unary::Cos, _) => 1.0,
             Node::Binary(Binary::Add | Binary::Sub, a, b) => size(a) + size(b),
-            // An error of one factor counts as often as the other factor says, which may be a difference of large terms.
+            // The error of a factor is multiplied by the other factor, which may be a small difference of large terms.
             Node::Binary(Binary::Mul, a, b) => {
                 let (all, one, two) = (size(a) * size(b), of[slot(a)].abs() * size(b), of[slot(b)].abs() * size(a));
                 all.min(one + two + f64::EPSILON * all)

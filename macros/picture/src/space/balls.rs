@@ -5,7 +5,7 @@ use super::placed::{Of, Sign};
 use super::symbols::{PLATE, block, fork};
 use super::vector::Vec3;
 use crate::canvas::{Ink, Layer, Subject};
-use crate::springs::{KINDS, shared, symbol};
+use crate::springs::{drawn, symbol};
 use core::f64::consts::{FRAC_PI_2, PI};
 
 /// The radius of a ball.
@@ -79,14 +79,9 @@ impl Drawing<'_> {
         let side = self.sight.at(way).unit().perp();
         let side = camera.right * side.x + camera.up * side.y;
         let mut pen = self.pen(&title);
-        let is_end = |other: &Sign, point: &str, of: Of| {
-            other.given.point(point).is_some_and(|end| end.body == of.body && (end.at - of.at).norm() < 1.0)
-        };
-        let is_between = |other: &Sign, [one, two]: [Of; 2]| is_end(other, "P", one) && is_end(other, "Q", two);
-        let is_here = |other: &Sign| is_between(other, [p, q]) || is_between(other, [q, p]);
-        let here = self.scene.joints.iter().map(|other| other.kind.as_str()).enumerate();
-        let here = here.filter(|(number, kind)| KINDS.contains(kind) && is_here(&self.scene.joints[*number]));
-        if let Some(kind) = shared(number, &here.collect::<Vec<_>>()) {
+        let ends = |other: &Sign| Some([other.given.point("P")?, other.given.point("Q")?]);
+        let joints: Vec<_> = self.scene.joints.iter().map(|other| (other.kind.as_str(), ends(other))).collect();
+        if let Some(kind) = drawn(number, &joints, |one, two| one.body == two.body && (one.at - two.at).norm() < 1.0) {
             pen.lines(Layer::Rod, Ink::Line, &symbol(kind, |part, across| p.at + way * part + side * across));
         }
         self.put(self.sight.depth(p.at + way * 0.5), pen);

@@ -30,10 +30,8 @@ impl Display for NameFact {
             }
             NameFact::UnknownField { owner, name, near: None, .. } if is_load(name) => {
                 write!(f, "{owner} has no `{name}`\nnote: loads are computed for a state, in Rust")?;
-                match owner.contains("drive") {
-                    true => write!(f, "\nhelp: `mechanism.loads(&state)` has a method for each drive, with its `effort` and its `power`"),
-                    false => write!(f, "\nhelp: `mechanism.loads(&state)` has a method for each joint, with its `force` and its `torque`"),
-                }
+                write!(f, "\nhelp: `mechanism.loads(&state)` has a method for each joint, with `force` and `torque`, ")?;
+                write!(f, "and for each drive, with `effort` and `power`")
             }
             NameFact::UnknownField { owner, name, near, known } => {
                 write!(f, "{owner} has no `{name}`{}", did_you_mean(near))?;
