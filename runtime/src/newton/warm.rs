@@ -126,13 +126,16 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
         let (x, way) = self.predict(data);
         let sign = *self.signs.get(first)?;
         let is_near = self.moving.and(way.at_most(T::of(LONGEST_PREDICTION)));
-        let start = if self.is_small {
+        let mut follows = is_near;
+        let mut iterate = if self.is_small {
             Iterate::after(SVector::from_fn(|k, _| of(self.here.q, data.unknowns[k])), x, data.needs_sin_cos)
         } else {
             Iterate::at(x, data.needs_sin_cos)
         };
-        let begin = |is_tested: bool| (is_tested, 0, start, is_near, T::of(LONGEST_FIRST_CORRECTION));
-        let (mut is_tested, mut iterations, mut iterate, mut follows, mut longest) = begin(!L::HAS_UNTESTED_CORRECTION);
+        let mut longest = T::of(LONGEST_FIRST_CORRECTION);
+        let mut iterations = 0;
+        let mut is_tested = !L::HAS_UNTESTED_CORRECTION;
+        let again = || (true, 0, Iterate::at(x, data.needs_sin_cos), is_near, T::of(LONGEST_FIRST_CORRECTION));
         loop {
             iterations += 2;
             let (phi, jacobian) = evaluate(&iterate);
@@ -147,7 +150,7 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
                 Ok(factors) => factors,
                 Err(_) if is_tested => return None,
                 Err(_) => {
-                    (is_tested, iterations, iterate, follows, longest) = begin(true);
+                    (is_tested, iterations, iterate, follows, longest) = again();
                     continue;
                 }
             };
@@ -170,7 +173,7 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
             }
             let is_over = found.all() || found.or(follows.not()).all() || iterations >= 2 * MOST_CORRECTIONS;
             if is_over && !is_tested && !found.or(is_near.not()).all() {
-                (is_tested, iterations, iterate, follows, longest) = begin(true);
+                (is_tested, iterations, iterate, follows, longest) = again();
                 continue;
             }
             if is_over {
