@@ -58,6 +58,12 @@ impl Axis {
         format!("10{exponent} {}", self.unit).trim_end().to_owned()
     }
 
+    /// A name with the unit.
+    pub(crate) fn named(&self, name: &str) -> String {
+        let unit = self.unit();
+        if unit.is_empty() { name.to_owned() } else { format!("{name} in {unit}").trim_start().to_owned() }
+    }
+
     /// Numbers on the axis.
     pub(crate) fn ticks(&self) -> Vec<f64> {
         let [first, last] = [self.range.start / self.step - 1e-6, self.range.end / self.step + 1e-6];

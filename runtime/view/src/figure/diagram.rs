@@ -30,6 +30,9 @@ pub(crate) const HEIGHT: f64 = 104.0;
 /// Room for numbers and name of the abscissa.
 const BELOW: f64 = 36.0;
 
+/// Room below a diagram without them.
+const NEXT: f64 = 4.0;
+
 /// Least distance of circles.
 const APART: f64 = 18.0;
 
@@ -58,7 +61,7 @@ type Drawing = Result<(), DrawingAreaErrorKind<std::io::Error>>;
 impl Diagram<'_> {
     /// Shapes in drawing units, and the height in picture units, of a diagram `width` picture units wide.
     pub(super) fn drawn(&self, width: f64) -> Result<(String, f64), Unviewable> {
-        let height = ABOVE + HEIGHT + if self.below.is_some() { BELOW } else { 4.0 };
+        let height = ABOVE + HEIGHT + if self.below.is_some() { BELOW } else { NEXT };
         let mut svg = String::new();
         let paper = SVGBackend::with_string(&mut svg, (fine(width).unsigned_abs(), fine(height).unsigned_abs())).into_drawing_area();
         self.draw(&paper).map_err(|reason| Unviewable::Diagram(reason.to_string()))?;
@@ -70,14 +73,15 @@ impl Diagram<'_> {
     fn draw(&self, paper: &Paper) -> Drawing {
         let values = self.plot.series.iter().flat_map(|series| &series.values).copied();
         let up = Axis::up(values, &self.plot.unit);
-        let unit = up.unit();
-        let below = if self.below.is_some() { BELOW } else { 4.0 };
+        // The curves have names of their own.
+        let unit = up.named("");
+        let (margin, numbers) = if self.below.is_some() { (0.0, BELOW) } else { (NEXT, 0.0) };
         let mut chart = ChartBuilder::on(paper)
             .margin_top(fine(ABOVE))
             .margin_right(fine(RIGHT))
-            .margin_bottom(if self.below.is_some() { 0 } else { fine(below) })
+            .margin_bottom(fine(margin))
             .set_label_area_size(LabelAreaPosition::Left, fine(LEFT))
-            .set_label_area_size(LabelAreaPosition::Bottom, if self.below.is_some() { fine(below) } else { 0 })
+            .set_label_area_size(LabelAreaPosition::Bottom, fine(numbers))
             .build_cartesian_2d(self.over.clone(), up)?;
         axes(&mut chart, self.below.unwrap_or_default(), &unit)?;
         for (series, ink) in self.plot.series.iter().zip(self.inks) {

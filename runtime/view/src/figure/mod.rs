@@ -5,11 +5,12 @@
 pub(crate) mod axis;
 pub(crate) mod diagram;
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use self::axis::Axis;
 use self::diagram::Diagram;
-use crate::recording::{Drawn, Recording, Series};
+use crate::recording::{Drawn, Plot, Recording, Series};
 use crate::still::{self, COLOURS, escaped};
 use crate::unviewable::Unviewable;
 
@@ -33,6 +34,9 @@ const LINE: f64 = 17.0;
 
 /// Width of a letter, on average and rounded up.
 const LETTER: f64 = 6.9;
+
+/// Fonts of all words.
+const FONTS: &str = "Fira Sans,DejaVu Sans,Arial,sans-serif";
 
 /// Colour of words, lines and independent results.
 const INK: &str = "#1c1c1c";
@@ -86,28 +90,18 @@ impl Page {
     fn diagrams(&mut self, recording: &Recording) -> Result<(), Unviewable> {
         let abscissa = &recording.abscissa;
         let over = Axis::over(&abscissa.values, &abscissa.unit);
-        let name = [abscissa.name.as_str(), " in ", &over.unit()].concat();
-        let name = if over.unit().is_empty() { &abscissa.name } else { &name };
+        let name = over.named(&abscissa.name);
         let mut colours = COLOURS.iter().copied().cycle().skip(recording.traces.len());
         for (number, plot) in recording.plots.iter().enumerate() {
             let mut curve = |series: &Series| if series.is_dotted { INK } else { colours.next().unwrap_or(INK) };
             let inks: Vec<&str> = plot.series.iter().map(&mut curve).collect();
-            let sample = |series: &Series| if series.is_dotted { Sample::Circle } else { Sample::Line };
-            // Results of one name, for several curves, are named once.
-            let is_first =
-                |number: usize| !plot.series[..number].iter().any(|other| other.is_dotted && other.name == plot.series[number].name);
-            let names = plot.series.iter().zip(&inks).enumerate().filter(|(number, (series, _))| !series.is_dotted || is_first(*number));
-            let names = names.map(|(_, (series, ink))| (series.name.as_str(), *ink, sample(series)));
-            self.names(names.collect(), BORDER + diagram::LEFT);
+            self.names(legend(plot, &inks), BORDER + diagram::LEFT);
             let below = (number + 1 == recording.plots.len()).then_some(name.as_str());
             let diagram = Diagram { plot, inks: &inks, over: &over, values: &abscissa.values, below };
             let (shapes, height) = diagram.drawn(WIDTH - 2.0 * BORDER)?;
             let scale = 1.0 / f64::from(diagram::FINE);
-            let _ = writeln!(
-                self.shapes,
-                "<g class=\"diagram\" transform=\"translate({BORDER} {}) scale({scale})\">\n{shapes}</g>",
-                self.bottom
-            );
+            let place = format!("translate({BORDER} {:.1}) scale({scale})", self.bottom);
+            let _ = writeln!(self.shapes, "<g class=\"diagram\" transform=\"{place}\">\n{shapes}</g>");
             self.bottom += height + 4.0;
         }
         Ok(())
@@ -127,13 +121,13 @@ impl Page {
             }
             let (middle, base) = (self.bottom + LINE / 2.0, self.bottom + LINE / 2.0 + 4.0);
             let _ = match sample {
-                Sample::Line => writeln!(self.shapes, "<path d=\"M{x:.1} {middle}h20\" stroke=\"{ink}\" stroke-width=\"1.8\"/>"),
+                Sample::Line => writeln!(self.shapes, "<path d=\"M{x:.1} {middle:.1}h20\" stroke=\"{ink}\" stroke-width=\"1.8\"/>"),
                 Sample::Circle => {
                     let centre = x + 10.0;
-                    writeln!(self.shapes, "<circle cx=\"{centre:.1}\" cy=\"{middle}\" r=\"2.5\" fill=\"none\" stroke=\"{ink}\"/>")
+                    writeln!(self.shapes, "<circle cx=\"{centre:.1}\" cy=\"{middle:.1}\" r=\"2.5\" fill=\"none\" stroke=\"{ink}\"/>")
                 }
             };
-            let _ = writeln!(self.shapes, "<text x=\"{:.1}\" y=\"{base}\">{}</text>", x + 25.0, escaped(name));
+            let _ = writeln!(self.shapes, "<text x=\"{:.1}\" y=\"{base:.1}\">{}</text>", x + 25.0, escaped(name));
             x += width + 14.0;
         }
         self.bottom += LINE;
@@ -155,5 +149,10 @@ impl Page {
     }
 }
 
-/// Fonts of all words.
-const FONTS: &str = "Fira Sans,DejaVu Sans,Arial,sans-serif";
+/// Names and colours of curves and results. Results of one name, for several curves, are named once.
+fn legend<'a>(plot: &'a Plot, inks: &[&'a str]) -> Vec<(&'a str, &'a str, Sample)> {
+    let mut results = BTreeSet::new();
+    let series = plot.series.iter().zip(inks).filter(|(series, _)| !series.is_dotted || results.insert(&series.name));
+    let sample = |series: &Series| if series.is_dotted { Sample::Circle } else { Sample::Line };
+    series.map(|(series, ink)| (series.name.as_str(), *ink, sample(series))).collect()
+}

@@ -147,7 +147,7 @@ fn a_figure_is_a_still_with_its_diagrams() -> Result<(), Unviewable> {
     let shapes = still.split_once("fill=\"#fff\"/>").or_else(|| still.split_once("style=\"fill:#fff\"/>")).expect("paper").1;
     assert!(figure.contains(shapes.trim_end_matches("</svg>\n")), "the drawing is that of the still");
     assert!(!figure.contains("var("), "its colours are those of any program");
-    for name in ["Engine", "pin", "height", "reach", "angle", "t in s", "mm", "rad"] {
+    for name in ["Engine", "pin", "height", "reach", "angle", "t in s", "in mm", "in rad"] {
         let texts = tree.descendants().filter(|node| node.tag_name().name() == "text");
         assert!(texts.filter_map(|node| node.text()).any(|text| text.trim() == name), "{name}");
     }
@@ -165,6 +165,14 @@ fn names_in_figures_are_escaped_and_have_room() -> Result<(), Unviewable> {
     let lines: Vec<_> = texts.iter().filter_map(|node| node.attribute("y")).collect();
     assert_eq!(lines.len(), 4, "the title, the trace and two curves");
     assert!(lines.windows(2).all(|pair| pair[0] != pair[1]), "each has a line of its own: {lines:?}");
+    Ok(())
+}
+
+#[test]
+fn results_of_one_name_are_named_once() -> Result<(), Unviewable> {
+    let view = view(60).against("exact", |angle| *angle).against("exact", |angle| 2.0 * angle).against("other", |angle| 3.0 * angle);
+    let figure = view.figure(0, &[])?;
+    assert_eq!([figure.matches(">exact<").count(), figure.matches(">other<").count()], [1, 1]);
     Ok(())
 }
 
