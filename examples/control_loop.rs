@@ -126,15 +126,21 @@ fn main() -> Result<(), Box<dyn Error>> {
         cycles.push(Cycle { time, crank: plant.rate, speed: [speed, true_speed] });
     }
     print(&cycles);
-    let cycle = |state: &MeasuredState| &cycles[((state.t / CYCLE).round() as usize).saturating_sub(1)];
+    let plant = |of: fn(&Cycle) -> f64| {
+        let cycles = &cycles;
+        move |state: &MeasuredState| match (state.t / CYCLE).round() as usize {
+            0 => f64::NAN,
+            cycle => of(&cycles[cycle - 1]),
+        }
+    };
     let view = mechanism
         .view(states)
         .title("Control loop")
         .trace("path of the tip", |state| mechanism.tip(state).value)
         .plot("speed of the tip", "m/s", |state| mechanism.tip(state).rate.norm())
-        .against("plant", |state| cycle(state).speed[1])
+        .against("plant", plant(|cycle| cycle.speed[1]))
         .plot("speed of the crank", "rad/s", |state| state.crank().angular_velocity)
-        .against("plant", |state| cycle(state).crank);
+        .against("plant", plant(|cycle| cycle.crank));
     show("control_loop", &view, 120, &[])
 }
 

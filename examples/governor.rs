@@ -87,7 +87,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let [slow, usual, fast] = governors.map(|m| m.sweep(steps(0.0, 2.0, 240), Integrator::new(1e-9)).collect::<Result<Vec<State>, _>>());
     let states: Vec<[State; 3]> = slow?.into_iter().zip(usual?).zip(fast?).map(|((slow, usual), fast)| [slow, usual, fast]).collect();
     let rest = |m: Governor| move |states: &[State; 3]| if states[0].t < 2.0 { f64::NAN } else { height(&m) * 1e3 };
-    let view = View::new("Governor", states, |[_, state, _]| state.t, |[_, state, _]| governors[1].scene(state)).title("Governor");
+    let view = View::new("Governor", states, |[_, state, _]| state.t, |[_, state, _]| governors[1].scene(state));
     // The balls, as two great circles each.
     let centre = Vector3::z() * -0.2;
     let circles = [Vector3::x(), Vector3::y()].map(|axis| ring(&centre, &axis, 0.018));
