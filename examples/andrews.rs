@@ -9,8 +9,8 @@
 use std::error::Error;
 
 use reuleaux::picture::Drawable;
-use reuleaux::{Integrator, PlanarBody, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, on, place, show, steps};
+use reuleaux::{Integrator, mechanism};
+use reuleaux_examples::{place, show, steps};
 
 mechanism! {
     /// Andrews' squeezing mechanism, with each body's frame at its centre of mass.
@@ -69,17 +69,25 @@ fn main() -> Result<(), Box<dyn Error>> {
     // The printed digits end at 1e-9.
     assert!(errors.iter().all(|(tolerance, off)| *off < 10.0 * tolerance.max(1e-9)), "{errors:?}");
     let motion = motion(&mechanism)?;
-    println!("{}", picture(&mechanism, &motion).save("andrews")?.display());
     let view = mechanism
         .view(motion)
+        .title("Andrews' squeezing mechanism")
+        .over("t", "ms", |state| 1e3 * state.t)
         .trace("path of E", |state| state.ef().point(place(-0.0165, 0.0)).value)
         .trace("path of H", |state| state.he().point(place(-0.00579, 0.0)).value)
         .plot("γ", "°", |state| state.bde().angle.to_degrees())
         .and("δ", |state| state.ag().angle.to_degrees())
         .and("ε", |state| state.ah().angle.to_degrees())
+        .against("as printed", |state| printed(state, 1))
+        .against("as printed", |state| printed(state, 2))
+        .against("as printed", |state| printed(state, 3))
         .plot("bearing of the crank", "N", |state| mechanism.loads(state).o().force.norm());
-    show("andrews", &view)?;
-    Ok(())
+    show("andrews", &view, 0, &[75, 150, 225])
+}
+
+/// A published angle (°) at the end of the motion.
+fn printed(state: &State, angle: usize) -> f64 {
+    if state.t < 0.03 { f64::NAN } else { PUBLISHED[angle].to_degrees() }
 }
 
 fn motion(m: &Andrews) -> Result<Vec<State>, Box<dyn Error>> {
@@ -90,41 +98,4 @@ fn motion(m: &Andrews) -> Result<Vec<State>, Box<dyn Error>> {
         motion.push(state.clone());
     }
     Ok(motion)
-}
-
-fn picture(m: &Andrews, motion: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    for state in motion.iter().step_by(75).skip(1) {
-        scene.faint(|scene| draw(scene, state));
-    }
-    draw(&mut scene, &motion[0]);
-    let over = |of: fn(&State) -> f64| motion.iter().map(move |state| (1e3 * state.t, of(state)));
-    let end = |k: usize| [(30.0, PUBLISHED[k].to_degrees())];
-    Plate::new("Andrews' squeezing mechanism", scene, Abscissa { name: "time in ms", range: 0.0..30.0, step: 10.0 })
-        .diagram(
-            Diagram::new("angle in °")
-                .curve(Ink::Output, "γ", over(|state| state.bde().angle.to_degrees()))
-                .curve(Ink::Coupler, "δ", over(|state| state.ag().angle.to_degrees()))
-                .curve(Ink::Second, "ε", over(|state| state.ah().angle.to_degrees()))
-                .circles("as printed", [1, 2, 3].into_iter().flat_map(end)),
-        )
-        .diagram(Diagram::new("N at the crank's bearing").curve(
-            Ink::Input,
-            "",
-            motion.iter().map(|state| (1e3 * state.t, m.loads(state).o().force.norm())),
-        ))
-}
-
-fn draw(scene: &mut Scene, state: &State) {
-    let at = |body: PlanarBody<f64>, x: f64, y: f64| -> Place { on(&body, place(x, y) / 1e3) };
-    let (o, f) = (at(state.of(), -0.92, 0.0), at(state.of(), 6.08, 0.0));
-    let (e, g, h) = (at(state.ef(), -16.5, 0.0), at(state.ge(), 0.0, 5.79), at(state.he(), -5.79, 0.0));
-    let (a, b, d) = (at(state.ag(), -23.08, -9.16), at(state.bde(), -10.43, 18.74), at(state.bde(), 9.57, 0.74));
-    scene.link(Ink::Output, &[b, d, e]).link(Ink::Coupler, &[a, g]).link(Ink::Second, &[a, h]);
-    scene.link(Ink::Coupler, &[g, e]).link(Ink::Second, &[h, e]).link(Ink::Coupler, &[e, f]).link(Ink::Input, &[o, f]);
-    scene.dashes(Ink::Ground, d, place(0.014, 0.072));
-    for pin in [e, f, g, h, d] {
-        scene.pin(pin);
-    }
-    scene.pivot(o).pivot(a).pivot(b).pivot_towards(place(0.014, 0.072), std::f64::consts::FRAC_PI_2);
 }

@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 
 use reuleaux::mechanism;
 use reuleaux::picture::{Drawable, Scene, frames};
-use reuleaux_examples::{apex, largest_difference, place, polar, show, steps};
+use reuleaux_examples::{apex, largest_difference, place, play, polar, steps};
 
 mechanism! {
     /// A beam engine with Watt's parallel motion.
@@ -76,7 +76,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .trace("path of P", |state| engine.P(state).value)
         .plot("beam", "°", |state| state.beam().angle.to_degrees())
         .plot("P across its line", "mm", |state| engine.P(state).value.x * 1e3);
-    show("beam_engine", &view)?;
+    play("beam_engine", &view)?;
     Ok(())
 }
 

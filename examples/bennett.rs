@@ -23,10 +23,9 @@
 use std::error::Error;
 use std::f64::consts::TAU;
 
-use reuleaux::nalgebra::Vector3;
 use reuleaux::picture::Drawable;
 use reuleaux::{Cause, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, seen, show, steps};
+use reuleaux_examples::{show, steps};
 
 mechanism! {
     /// Bennett's linkage with a hinge driven at constant speed.
@@ -93,15 +92,21 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     assert!(matches!(Bennett { excess: 1e-3, ..mechanism }.solve(0.0).map_err(|failure| failure.cause), Err(Cause::DoesNotHold { .. })));
     print(&mechanism, &turn);
-    println!("{}", picture(&mechanism, &turn).save("bennett")?.display());
     let view = mechanism
         .view(turn)
+        .title("Bennett's linkage")
+        .over("driven hinge", "°", |state| mechanism.driven(state).value.to_degrees())
         .trace("path of B", |state| mechanism.B(state).value)
         .trace("path of C", |state| mechanism.C(state).value)
+        .plot("next hinge", "°", |state| mechanism.next(state).value.to_degrees())
+        .against("Bennett's relation", |state| {
+            // The relation gives an angle within one turn.
+            let (found, exact) = (mechanism.next(state).value, next(&mechanism, mechanism.driven(state).value)[0]);
+            (exact + TAU * ((found - exact) / TAU).round()).to_degrees()
+        })
         .plot("its speed over the drive's", "", |state| mechanism.next(state).rate / mechanism.speed)
-        .and("Bennett's relation", |state| next(&mechanism, mechanism.driven(state).value)[1]);
-    show("bennett", &view)?;
-    Ok(())
+        .against("Bennett's relation", |state| next(&mechanism, mechanism.driven(state).value)[1]);
+    show("bennett", &view, 8, &[30, 60, 90, 120, 150])
 }
 
 /// The product of the tangents of half the angles of two neighbouring hinges.
@@ -141,65 +146,4 @@ fn print(m: &Bennett, turn: &[State]) {
         println!("{:8.2}   {:12.3}   {:10.3}   {product:.12}", driven.to_degrees(), after.to_degrees(), opposite.to_degrees());
     }
     println!("sin((α + β)/2) / sin((α − β)/2) = {:.12}", product(m));
-}
-
-fn picture(m: &Bennett, turn: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    for state in turn.iter().step_by(30).skip(1) {
-        scene.faint(|scene| draw(scene, m, state));
-    }
-    for point in [Bennett::B, Bennett::C] {
-        scene.line(Ink::Trace, turn.iter().map(|state| seen(&point(m, state).value)));
-    }
-    draw(&mut scene, m, &turn[8]);
-    hinges(&mut scene, m, &turn[8]);
-
-    let driven = |state: &State| m.driven(state).value.to_degrees();
-    let dots =
-        |part: usize, unit: f64| turn.iter().step_by(7).map(move |state| (driven(state), next(m, m.driven(state).value)[part] * unit));
-    let degrees = 360.0 / TAU;
-    Plate::new("Bennett's linkage", scene, Abscissa { name: "angle of the driven hinge in °", range: 60.0..420.0, step: 60.0 })
-        .diagram(
-            Diagram::new("next hinge in °")
-                .curve(Ink::Output, "reuleaux", turn.iter().map(|state| (driven(state), m.next(state).value.to_degrees())))
-                .circles("Bennett's relation", unwrapped(dots(0, degrees))),
-        )
-        .diagram(
-            Diagram::new("its speed over the drive's")
-                .curve(Ink::Output, "", turn.iter().map(|state| (driven(state), m.next(state).rate / m.speed)))
-                .circles("", dots(1, 1.0)),
-        )
-}
-
-/// Angles in degrees without jumps, starting below zero.
-fn unwrapped(angles: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
-    let mut last = -160.0;
-    angles
-        .map(|(at, angle)| {
-            last = angle + 360.0 * ((last - angle) / 360.0).round();
-            (at, last)
-        })
-        .collect()
-}
-
-/// The four bars.
-fn draw(scene: &mut Scene, m: &Bennett, state: &State) {
-    let corners = [Vector3::zeros(), m.A(state).value, m.B(state).value, m.C(state).value].map(|corner| seen(&corner));
-    for (ink, [from, to]) in [(Ink::Ground, [0, 1]), (Ink::Coupler, [2, 3]), (Ink::Output, [3, 0]), (Ink::Input, [1, 2])] {
-        scene.link(ink, &[corners[from], corners[to]]);
-    }
-}
-
-/// The axes of the hinges.
-fn hinges(scene: &mut Scene, m: &Bennett, state: &State) {
-    let axes = [
-        Vector3::z(),
-        state.second().vector(Vector3::z()).value,
-        state.third().vector(Vector3::z()).value,
-        state.fourth().vector(Vector3::z()).value,
-    ];
-    let corners = [Vector3::zeros(), m.A(state).value, m.B(state).value, m.C(state).value];
-    for (corner, axis) in corners.iter().zip(&axes) {
-        scene.dashes(Ink::Ground, seen(&(corner - axis * 0.04)), seen(&(corner + axis * 0.04)));
-    }
 }

@@ -23,8 +23,9 @@ use std::f64::consts::{PI, TAU};
 
 use reuleaux::nalgebra::Vector3;
 use reuleaux::picture::Drawable;
+use reuleaux::view::View;
 use reuleaux::{SpatialBody, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, bevel, crown, largest_difference, seen, show, steps};
+use reuleaux_examples::{bevel, figure, largest_difference, play, ring, rod, steps};
 
 mechanism! {
     /// A differential with constant cage speed, while the car drives into a bend, through it, and out.
@@ -71,22 +72,33 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_turns(&mechanism, &bend);
     bend.iter().for_each(assert_meshes);
     print(&mechanism, &bend);
-    println!("{}", picture(&mechanism, &bend).save("bevel_differential")?.display());
+    figure("bevel_differential", &view(&mechanism, bend), 74, &[])?;
     // One turn of the cage, slow enough to be seen.
     let slow = Differential { speed: PI, bend: 0.4, ..mechanism };
     let bend: Vec<State> = slow.sweep(steps(0.0, 2.0, 120)).collect::<Result<_, _>>()?;
-    let view = slow
-        .view(bend)
-        .outline("left", crown(Vector3::y() * RADII[0], RADII[1], 16))
-        .outline("right", crown(-Vector3::y() * RADII[0], RADII[1], 16))
-        .outline("planet", crown(Vector3::x() * RADII[1], RADII[0], 10))
-        .plot("cage", "rpm", |state| slow.cage(state).rate * 60.0 / TAU)
-        .and("left", |state| slow.left(state).rate * 60.0 / TAU)
-        .and("right", |state| slow.right(state).rate * 60.0 / TAU)
-        .plot("planet on its pin", "°", |state| slow.planet(state).value.to_degrees())
-        .and("closed form", |state| 0.8 * parted(&slow, state.t)[0].to_degrees());
-    show("bevel_differential", &view)?;
-    Ok(())
+    play("bevel_differential", &view(&slow, bend))
+}
+
+fn view(m: &Differential, bend: Vec<State>) -> View<State> {
+    m.view(bend)
+        .title("Bevel differential")
+        .outline("left", bevel(Vector3::y() * RADII[0], RADII[1], 16))
+        .outline("left", ring(&(Vector3::y() * 0.6 * RADII[0]), &Vector3::y(), 0.6 * RADII[1]))
+        .outline("left", rod(Vector3::y() * 0.1, Vector3::x() * 0.003))
+        .outline("left", rod(Vector3::y() * 0.1, Vector3::z() * 0.003))
+        .outline("right", bevel(-Vector3::y() * RADII[0], RADII[1], 16))
+        .outline("right", ring(&(-Vector3::y() * 0.6 * RADII[0]), &Vector3::y(), 0.6 * RADII[1]))
+        .outline("right", rod(-Vector3::y() * 0.1, Vector3::x() * 0.003))
+        .outline("right", rod(-Vector3::y() * 0.1, Vector3::z() * 0.003))
+        .outline("planet", bevel(Vector3::x() * RADII[1], RADII[0], 10))
+        .outline("planet", ring(&(Vector3::x() * 0.6 * RADII[1]), &Vector3::x(), 0.6 * RADII[0]))
+        .plot("cage", "rpm", |state| m.cage(state).rate * 60.0 / TAU)
+        .and("left", |state| m.left(state).rate * 60.0 / TAU)
+        .and("right", |state| m.right(state).rate * 60.0 / TAU)
+        .against("closed form", |state| (m.speed - parted(m, state.t)[1] / 2.0) * 60.0 / TAU)
+        .against("closed form", |state| (m.speed + parted(m, state.t)[1] / 2.0) * 60.0 / TAU)
+        .plot("planet on its pin", "°", |state| m.planet(state).value.to_degrees())
+        .against("closed form", |state| 0.8 * parted(m, state.t)[0].to_degrees())
 }
 
 /// Relative rotation of the wheels (rad) and its rate.
@@ -134,35 +146,4 @@ fn print(m: &Differential, bend: &[State]) {
             right.rate * 60.0 / TAU
         );
     }
-}
-
-fn picture(m: &Differential, bend: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    draw(&mut scene, &bend[74]);
-    let rpm = 60.0 / TAU;
-    let over = |of: fn(&Differential, &State) -> f64| bend.iter().map(move |state| (state.t, of(m, state)));
-    let wheels = |sign: f64| bend.iter().step_by(10).map(move |state| (state.t, (m.speed + sign * parted(m, state.t)[1] / 2.0) * rpm));
-    Plate::new("Bevel differential", scene, Abscissa { name: "time in s", range: 0.0..2.0, step: 0.5 })
-        .diagram(
-            Diagram::new("rpm")
-                .curve(Ink::Ground, "cage", over(|m, state| m.cage(state).rate * 60.0 / TAU))
-                .curve(Ink::Output, "right", over(|m, state| m.right(state).rate * 60.0 / TAU))
-                .curve(Ink::Second, "left", over(|m, state| m.left(state).rate * 60.0 / TAU))
-                .circles("closed form", wheels(1.0).chain(wheels(-1.0))),
-        )
-        .diagram(
-            Diagram::new("planet on its pin in °")
-                .curve(Ink::Input, "", over(|m, state| m.planet(state).value.to_degrees()))
-                .circles("", bend.iter().step_by(10).map(|state| (state.t, 0.8 * parted(m, state.t)[0].to_degrees()))),
-        )
-}
-
-fn draw(scene: &mut Scene, state: &State) {
-    let (x, y) = (Vector3::x(), Vector3::y());
-    bevel(scene, Ink::Second, &state.left(), y * RADII[0], RADII[1], 16);
-    bevel(scene, Ink::Input, &state.planet(), x * RADII[1], RADII[0], 10);
-    bevel(scene, Ink::Output, &state.right(), -y * RADII[0], RADII[1], 16);
-    let [left, right] = [1.0, -1.0].map(|side| [y * side * RADII[0], y * side * 0.09].map(|place| seen(&place)));
-    scene.link(Ink::Second, &left).link(Ink::Output, &right);
-    scene.name(left[1], "left", [0.0, 18.0]).name(right[1], "right", [0.0, -18.0]);
 }

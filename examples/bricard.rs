@@ -32,8 +32,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use reuleaux::nalgebra::{Rotation3, Vector3};
 use reuleaux::picture::Drawable;
+use reuleaux::view::View;
 use reuleaux::{Integrator, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, largest_difference, seen, show, steps};
+use reuleaux_examples::{figure, largest_difference, play, steps};
 
 mechanism! {
     /// Five rods of 1 m and 1 kg with square sections.
@@ -157,17 +158,19 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("{time:18.12}   {:8.1e}", time - f64::from(k) * half);
         assert!((time - f64::from(k) * half).abs() < 1e-10);
     }
-    println!("{}", picture(&m, &film, half).save("bricard")?.display());
-    let fall = film.into_iter().take_while(|state| state.t < 2.0 * half);
-    let view = m
-        .view(fall)
+    figure("bricard", &view(&m, film.clone()), 30, &[0, 100])?;
+    play("bricard", &view(&m, film.into_iter().take_while(|state| state.t < 2.0 * half).collect()))
+}
+
+fn view(m: &Bricard, film: Vec<State>) -> View<State> {
+    m.view(film)
+        .title("Bricard's linkage")
         .trace("path of the third hinge", |state| state.third().position)
         .plot("a", "°", |state| m.a(state).value.to_degrees())
         .and("b", |state| m.b(state).value.to_degrees())
-        .and("b by the relation", |state| pose(m.a(state).value).b.to_degrees())
-        .plot("speed of a", "rad/s", |state| m.a(state).rate);
-    show("bricard", &view)?;
-    Ok(())
+        .against("sin a + sin b + sin a sin b = 0", |state| pose(m.a(state).value).b.to_degrees())
+        .plot("speed of a", "rad/s", |state| m.a(state).rate)
+        .against("by energies", |state| speed(m.a(state).value) * m.a(state).rate.signum())
 }
 
 /// Hinges turn by a and b in turns, and the first as fast as energies say.
@@ -203,53 +206,4 @@ fn turns(m: &Bricard) -> Result<Vec<f64>, Box<dyn Error>> {
         turns.push(state.t);
     }
     Ok(turns)
-}
-
-fn picture(m: &Bricard, film: &[State], half: f64) -> Plate {
-    let mut scene = Scene::new();
-    let plotted = film.iter().take_while(|state| state.t <= half).map(|state| shown(&state.third().position));
-    scene.line(Ink::Trace, plotted);
-    scene.pivot(shown(&Vector3::zeros())).pivot(shown(&Vector3::z()));
-    for index in [0, 100] {
-        scene.faint(|scene| draw(scene, &film[index]));
-    }
-    draw(&mut scene, &film[30]);
-    let degrees = |of: &dyn Fn(&State) -> f64| film.iter().map(|state| (state.t, of(state).to_degrees())).collect::<Vec<_>>();
-    let few = || film.iter().step_by(10);
-    let relation = few().map(|state| (state.t, pose(m.a(state).value).b.to_degrees()));
-    let energies = few().map(|state| (state.t, speed(m.a(state).value) * m.a(state).rate.signum()));
-    Plate::new("Bricard's linkage", scene, Abscissa { name: "time in s", range: 0.0..LENGTH_OF_FILM, step: 2.0 })
-        .diagram(
-            Diagram::new("angles in °")
-                .curve(Ink::Input, "a", degrees(&|state| m.a(state).value))
-                .curve(Ink::Output, "b", degrees(&|state| m.b(state).value))
-                .circles("sin a + sin b + sin a sin b = 0", relation),
-        )
-        .diagram(
-            Diagram::new("speed of a in rad/s")
-                .curve(Ink::Input, "", film.iter().map(|state| (state.t, m.a(state).rate)))
-                .circles("by energies", energies),
-        )
-}
-
-/// With y upwards.
-fn shown(at: &Vector3<f64>) -> Place {
-    seen(&Vector3::new(at.x, -at.z, at.y))
-}
-
-/// The rods and the axes of their hinges.
-fn draw(scene: &mut Scene, state: &State) {
-    let (x, y, z) = (Vector3::x(), Vector3::y(), Vector3::z());
-    let rods = [state.first(), state.second(), state.third(), state.fourth(), state.fifth()];
-    let end = z;
-    let mut hinges: Vec<Place> = rods.iter().map(|rod| shown(&rod.position)).collect();
-    hinges.push(shown(&end));
-    // Those farther from the eye first.
-    for (k, ink) in [(4, Ink::Second), (3, Ink::Coupler), (2, Ink::Output), (1, Ink::Coupler), (0, Ink::Input)] {
-        scene.link(ink, &hinges[k..=k + 1]);
-    }
-    let axes = [y, z, x, y, z].into_iter().zip(&rods).map(|(axis, rod)| (rod.position, rod.vector(axis).value));
-    for (at, axis) in axes.chain([(end, x)]) {
-        scene.dashes(Ink::Ground, shown(&(at - axis * 0.2)), shown(&(at + axis * 0.2)));
-    }
 }

@@ -23,10 +23,11 @@
 use std::error::Error;
 use std::f64::consts::{PI, TAU};
 
+use reuleaux::mechanism;
 use reuleaux::picture::Drawable;
-use reuleaux::{Motion, mechanism};
+use reuleaux::view::View;
 use reuleaux_cam::{CamError, CurvePoint};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, place, polar, rectangle, round, show, steps};
+use reuleaux_examples::{Place, place, rectangle, round, show, steps};
 
 /// Radii of the roller and of the cutter (m).
 const ROLLER: f64 = 0.012;
@@ -80,17 +81,23 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_surface(&offset)?;
     print_limits(&offset, &central)?;
     print_cutter(&offset)?;
-    println!("{}", picture(&offset, &central)?.save("cam_design")?.display());
-    let view = offset
-        .view(turn(&offset)?.into_iter().step_by(4))
-        .outline("cam", surface(&offset, &turn(&offset)?)?.into_iter().step_by(6))
+    let outline = surface(&offset, &turn(&offset)?)?;
+    let pitch_curve = turn(&offset)?.iter().map(|state| Ok(pitch(&offset, state)?.point)).collect::<Result<Vec<Place>, CamError>>()?;
+    let states = turn(&offset)?.into_iter().zip(turn(&central)?).step_by(2);
+    let view = View::new("Cam designed by segments", states, |(state, _)| state.t, |(state, _)| offset.scene(state))
+        .over("cam", "°", |(state, _)| state.cam().angle.to_degrees())
+        .outline("cam", outline.into_iter().step_by(6))
+        .outline("cam", pitch_curve.into_iter().step_by(6))
         .outline("slide", round(ROLLER))
-        .plot("lift", "mm", |state| (offset.travel(state).value - (offset.prime.powi(2) - offset.offset.powi(2)).sqrt()) * 1e3)
-        .and("formula", |state| lift(&offset, state.cam().angle)[0] * 1e3)
-        .plot("pressure angle", "°", |state| pressure_angle(&offset, state).map_or(f64::NAN, f64::to_degrees))
-        .and("formula", |state| pressure_formula(&offset, state.cam().angle).to_degrees());
-    show("cam_design", &view)?;
-    Ok(())
+        .outline("slide", rectangle(place(0.0, 0.03), 0.0, 0.014, 0.06))
+        .plot("lift", "mm", |(state, _)| (offset.travel(state).value - (offset.prime.powi(2) - offset.offset.powi(2)).sqrt()) * 1e3)
+        .against("formula", |(state, _)| lift(&offset, state.cam().angle)[0] * 1e3)
+        .plot("pressure angle", "°", |(state, _)| pressure_angle(&offset, state).map_or(f64::NAN, f64::to_degrees))
+        .and("without offset", |(_, state)| pressure_angle(&central, state).map_or(f64::NAN, f64::to_degrees))
+        .against("formula", |(state, _)| pressure_formula(&offset, state.cam().angle).to_degrees())
+        .plot("curvature without offset", "1/mm", |(_, state)| pitch(&central, state).map_or(f64::NAN, |pitch| pitch.curvature * 1e-3))
+        .against("formula", |(_, state)| 1e-3 / radius_formula(&central, state.cam().angle));
+    show("cam_design", &view, 55, &[])
 }
 
 /// Lift (m) at the cam's angle (rad) with its first three derivatives by the angle.
@@ -235,49 +242,4 @@ fn print_cutter(m: &SlideCam) -> Result<(), Box<dyn Error>> {
     }
     println!();
     Ok(())
-}
-
-fn picture(m: &SlideCam, central: &SlideCam) -> Result<Plate, Box<dyn Error>> {
-    let (turn, over_axis) = (turn(m)?, turn(central)?);
-    let mut scene = Scene::new();
-    let shown = &turn[110];
-    let [o, c] = [m.O(shown), m.C(shown)].map(|point: Motion<Place>| point.value);
-    let turned = |point: Place| {
-        let (sine, cosine) = shown.cam().angle.sin_cos();
-        o + place(cosine * point.x - sine * point.y, sine * point.x + cosine * point.y)
-    };
-    let pitch_curve = turn.iter().chain(turn.first()).map(|state| Ok(turned(pitch(m, state)?.point)));
-    let pitch_curve: Vec<Place> = pitch_curve.collect::<Result<_, CamError>>()?;
-    let [low, high] = [0.118, 0.134].map(|y| move |x: f64| place(m.offset + x, y));
-    scene.wall(low(0.009), high(0.009)).wall(high(-0.009), low(-0.009));
-    scene.line(Ink::Trace, pitch_curve);
-    scene.surface(Ink::Input, surface(m, &turn)?.into_iter().map(turned));
-    scene.surface(Ink::Output, rectangle(c + place(0.0, 0.036), 0.0, 0.014, 0.072));
-    scene.disc(Ink::Coupler, c, ROLLER).pin(c).pivot(o);
-    // The normal goes through the point of contact.
-    let alpha = pressure_angle(m, shown)?;
-    scene.dashes(Ink::Ground, c + polar(0.05, PI / 2.0 + alpha), c - polar(0.06, PI / 2.0 + alpha));
-    scene.name(o, "O", [-16.0, 2.0]).name(c, "C", [30.0, 8.0]);
-
-    let degrees = |state: &State| state.cam().angle.to_degrees();
-    let low = (m.prime * m.prime - m.offset * m.offset).sqrt();
-    let lifts = turn.iter().map(|state| (degrees(state), (m.travel(state).value - low) * 1e3));
-    let angles = |m: &SlideCam, turn: &[State]| -> Result<Vec<(f64, f64)>, CamError> {
-        turn.iter().map(|state| Ok((degrees(state), pressure_angle(m, state)?.to_degrees()))).collect()
-    };
-    let radii = over_axis.iter().map(|state| Ok((degrees(state), pitch(central, state)?.curvature * 1e-3)));
-    let radii: Vec<(f64, f64)> = radii.collect::<Result<_, CamError>>()?;
-    let every = || turn.iter().step_by(30);
-    let lift_formula = every().map(|state| (degrees(state), lift(m, state.cam().angle)[0] * 1e3));
-    let angle_formula = every().map(|state| (degrees(state), pressure_formula(m, state.cam().angle).to_degrees()));
-    let curvature_formula = every().map(|state| (degrees(state), 1e-3 / radius_formula(central, state.cam().angle)));
-    Ok(Plate::new("Cam designed by segments", scene, Abscissa { name: "cam angle in °", range: 0.0..360.0, step: 60.0 })
-        .diagram(Diagram::new("lift in mm").curve(Ink::Output, "reuleaux", lifts).circles("formula", lift_formula))
-        .diagram(
-            Diagram::new("pressure angle in °")
-                .curve(Ink::Output, "offset 8 mm", angles(m, &turn)?)
-                .curve(Ink::Second, "no offset", angles(central, &over_axis)?)
-                .circles("", angle_formula),
-        )
-        .diagram(Diagram::new("curvature, no offset, in 1/mm").curve(Ink::Second, "", radii).circles("", curvature_formula)))
 }

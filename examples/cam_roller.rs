@@ -15,11 +15,11 @@
 //! Source: R. L. Norton, Cam Design and Manufacturing Handbook, chapters 2, 3 and 7.
 
 use std::error::Error;
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{PI, TAU};
 
 use reuleaux::picture::Drawable;
 use reuleaux::{Motion, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, largest_difference, place, polar, rectangle, show, steps};
+use reuleaux_examples::{largest_difference, show, steps};
 
 mechanism! {
     /// A valve gear, slow enough to watch.
@@ -64,15 +64,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_lift(&mechanism)?;
     assert_peaks(&mechanism)?;
     print(&mechanism, &turn);
-    println!("{}", picture(&mechanism, &turn).save("cam_roller")?.display());
     let view = mechanism
         .view(turn)
+        .title("Disc cam with roller follower")
+        .over("cam", "°", |state| state.cam().angle.to_degrees())
         .plot("lift", "mm", |state| (mechanism.travel(state).value - mechanism.base - mechanism.roller) * 1e3)
-        .and("closed form", |state| lift(&mechanism, state.cam().angle) * 1e3)
+        .against("closed form", |state| lift(&mechanism, state.cam().angle) * 1e3)
         .plot("velocity", "m/s", |state| mechanism.travel(state).rate)
         .plot("acceleration", "m/s²", |state| mechanism.travel(state).acceleration);
-    show("cam_roller", &view)?;
-    Ok(())
+    show("cam_roller", &view, 75, &[])
 }
 
 /// Lift (m) at the cam's angle (rad), over any number of turns.
@@ -129,47 +129,4 @@ fn print(m: &RollerCam, turn: &[State]) {
         let lift = travel.value - m.base - m.roller;
         println!("{angle:5.0}   {:7.3}   {:13.2}   {:18.1}", lift * 1e3, travel.rate * 1e3, travel.acceleration * 1e3);
     }
-}
-
-fn picture(m: &RollerCam, turn: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    let shown = &turn[75];
-    let [o, c] = [m.O(shown), m.C(shown)].map(|point| point.value);
-    let [low, high] = [0.080, 0.095].map(|y| move |x: f64| place(x, y));
-    scene.wall(low(0.007), high(0.007)).wall(high(-0.007), low(-0.007));
-    scene.line(Ink::Trace, steps(0.0, TAU, 180).map(|angle| pitch(m, angle, shown.cam().angle)));
-    scene.faint(|scene| {
-        scene.surface(Ink::Input, surface(m, 0.0));
-    });
-    scene.surface(Ink::Input, surface(m, shown.cam().angle));
-    scene.surface(Ink::Output, rectangle(c + place(0.0, 0.025), 0.0, 0.0115, 0.05));
-    scene.disc(Ink::Coupler, c, m.roller).pin(c).pivot(o);
-    scene.name(o, "O", [-16.0, 2.0]).name(c, "C", [26.0, 10.0]);
-
-    let angle = |state: &State| state.cam().angle.to_degrees();
-    let over = |of: fn(&RollerCam, &State) -> f64| turn.iter().map(move |state| (angle(state), of(m, state)));
-    let exact = turn.iter().step_by(15).map(|state| (angle(state), lift(m, state.cam().angle) * 1e3));
-    Plate::new("Disc cam with roller follower", scene, Abscissa { name: "cam angle in °", range: 0.0..360.0, step: 60.0 })
-        .diagram(
-            Diagram::new("lift in mm")
-                .curve(Ink::Output, "reuleaux", over(|m, state| (m.travel(state).value - m.base - m.roller) * 1e3))
-                .circles("closed form", exact),
-        )
-        .diagram(Diagram::new("velocity in m/s").curve(Ink::Output, "", over(|m, state| m.travel(state).rate)))
-        .diagram(Diagram::new("acceleration in m/s²").curve(Ink::Output, "", over(|m, state| m.travel(state).acceleration)))
-}
-
-/// Point of the pitch curve that meets the follower at the angle `angle` (rad), for a cam rotated by `turned` (rad).
-fn pitch(m: &RollerCam, angle: f64, turned: f64) -> Place {
-    polar(m.base + m.roller + lift(m, angle), FRAC_PI_2 - angle + turned)
-}
-
-/// The cam's outline: the inner curve at the distance of the roller radius from the pitch curve.
-fn surface(m: &RollerCam, turned: f64) -> Vec<Place> {
-    let small = 1e-4;
-    let point = |angle: f64| {
-        let along = (pitch(m, angle + small, turned) - pitch(m, angle - small, turned)).normalize();
-        pitch(m, angle, turned) + place(along.y, -along.x) * m.roller
-    };
-    steps(0.0, TAU, 180).map(point).collect()
 }

@@ -24,9 +24,9 @@ use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
 
 use reuleaux::mechanism;
-use reuleaux::nalgebra::Vector3;
 use reuleaux::picture::Drawable;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, ring, seen, show, steps};
+use reuleaux::view::View;
+use reuleaux_examples::{largest_difference, show, steps};
 
 mechanism! {
     /// Two parallel shafts and one between them.
@@ -93,15 +93,20 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     assert_cure(&good, &turns[0]);
     print(&good, &bad, &turns);
-    println!("{}", picture(&good, &bad, &turns).save("cardan_shaft")?.display());
-    let [cured, _] = turns;
-    let view = good
-        .view(cured)
-        .plot("middle shaft ahead", "°", |state| (good.between(state).value - good.driven(state).value).to_degrees())
-        .and("closed form", |state| (exact(&good, good.driven(state).value)[0][0] - good.driven(state).value).to_degrees())
-        .and("output ahead", |state| (good.delivered(state).value - good.driven(state).value).to_degrees());
-    show("cardan_shaft", &view)?;
-    Ok(())
+    let [cured, doubled] = turns;
+    let input = |state: &State| good.driven(state).value;
+    let view = View::new("Cardan shaft", cured.into_iter().zip(doubled), |(state, _)| state.t, |(state, _)| good.scene(state))
+        .over("input", "°", |(state, _)| input(state).to_degrees())
+        .plot("middle shaft ahead", "°", |(state, _)| (good.between(state).value - input(state)).to_degrees())
+        .and("output", |(state, _)| (good.delivered(state).value - input(state)).to_degrees())
+        .and("output, a fork 90° off", |(_, state)| (bad.delivered(state).value - bad.phase - input(state)).to_degrees())
+        .against("closed form", |(state, _)| (exact(&good, input(state))[0][0] - input(state)).to_degrees())
+        .plot("speed of the middle shaft over the input's", "", |(state, _)| good.between(state).rate / good.speed)
+        .and("of the output", |(state, _)| good.delivered(state).rate / good.speed)
+        .and("of the output, a fork 90° off", |(_, state)| bad.delivered(state).rate / bad.speed)
+        .against("closed form", |(state, _)| exact(&good, input(state))[0][1])
+        .against("closed form", |(state, _)| exact(&bad, input(state))[1][1]);
+    show("cardan_shaft", &view, 20, &[])
 }
 
 /// Lead (rad) of the angle behind a universal joint, whose tangent is `factor` times that of the angle before it.
@@ -150,57 +155,4 @@ fn print(good: &CardanShaft, bad: &CardanShaft, [cured, doubled]: &[Vec<State>; 
         let angles = [good.driven(one), good.between(one), good.delivered(one), bad.delivered(two)].map(|angle| angle.value.to_degrees());
         println!("{:7.1}   {:8.3}   {:8.3}   {:8.3}", angles[0], angles[1], angles[2], angles[3] - 90.0);
     }
-}
-
-fn picture(good: &CardanShaft, bad: &CardanShaft, [cured, doubled]: &[Vec<State>; 2]) -> Plate {
-    let mut scene = Scene::new();
-    draw(&mut scene, good, &cured[20]);
-
-    let degrees = |state: &State| good.driven(state).value.to_degrees();
-    let lead = |m: &CardanShaft, state: &State, of: fn(&CardanShaft, &State) -> f64| (of(m, state) - m.driven(state).value).to_degrees();
-    let middle: fn(&CardanShaft, &State) -> f64 = |m, state| m.between(state).value;
-    let end: fn(&CardanShaft, &State) -> f64 = |m, state| m.delivered(state).value - m.phase;
-    let circles = |m: CardanShaft, of: fn(&CardanShaft, f64) -> f64| {
-        cured.iter().step_by(6).map(move |state| (degrees(state), of(&m, degrees(state).to_radians()))).collect::<Vec<_>>()
-    };
-    Plate::new("Cardan shaft", scene, Abscissa { name: "angle of the input in °", range: 0.0..360.0, step: 60.0 })
-        .diagram(
-            Diagram::new("ahead in °")
-                .curve(Ink::Coupler, "middle", cured.iter().map(|state| (degrees(state), lead(good, state, middle))))
-                .curve(Ink::Output, "output", cured.iter().map(|state| (degrees(state), lead(good, state, end))))
-                .curve(Ink::Second, "output, a fork 90° off", doubled.iter().map(|state| (degrees(state), lead(bad, state, end))))
-                .circles("closed form", circles(*good, |m, angle| (exact(m, angle)[0][0] - angle).to_degrees())),
-        )
-        .diagram(
-            Diagram::new("speed over input")
-                .curve(Ink::Coupler, "", cured.iter().map(|state| (degrees(state), good.between(state).rate / good.speed)))
-                .curve(Ink::Output, "", cured.iter().map(|state| (degrees(state), good.delivered(state).rate / good.speed)))
-                .curve(Ink::Second, "", doubled.iter().map(|state| (degrees(state), bad.delivered(state).rate / bad.speed)))
-                .circles("", circles(*good, |m, angle| exact(m, angle)[0][1]))
-                .circles("", circles(*bad, |m, angle| exact(m, angle)[1][1])),
-        )
-}
-
-/// Shafts as links, forks as rings in the plane of their arms.
-fn draw(scene: &mut Scene, m: &CardanShaft, state: &State) {
-    let [near, far] = [Vector3::zeros(), m.end(state).value];
-    let out = Vector3::x() * 0.2;
-    for (ink, from, to) in [(Ink::Input, near - out, near), (Ink::Coupler, near, far), (Ink::Output, far, far + out)] {
-        scene.link(ink, &[seen(&from), seen(&to)]);
-    }
-    let arm = |local: Vector3<f64>, body: reuleaux::SpatialBody<f64>| body.vector(local).value * 0.045;
-    let (y, z) = (Vector3::y(), Vector3::z());
-    for (ink, centre, arm) in [
-        (Ink::Input, near, arm(z, state.input())),
-        (Ink::Coupler, near, arm(y, state.middle())),
-        (Ink::Coupler, far, arm(y, state.middle())),
-        (Ink::Output, far, arm(z, state.output())),
-    ] {
-        scene.line(ink, [seen(&(centre - arm)), seen(&(centre + arm))]);
-        scene.disc(ink, seen(&(centre - arm)), 0.008).disc(ink, seen(&(centre + arm)), 0.008);
-    }
-    for centre in [near - out * 0.8, far + out * 0.8] {
-        scene.surface(Ink::Ground, ring(&centre, &Vector3::x(), 0.03));
-    }
-    scene.name(seen(&(near - out)), "input", [0.0, 18.0]).name(seen(&(far + out)), "output", [0.0, -18.0]);
 }

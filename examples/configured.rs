@@ -21,7 +21,7 @@ use std::path::Path;
 
 use reuleaux::picture::{Drawable, frames};
 use reuleaux::{csv, mechanism};
-use reuleaux_examples::{show, steps};
+use reuleaux_examples::{play, steps};
 
 mechanism! {
     /// A pump with a plunger on a guide.
@@ -82,7 +82,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let states = pump.sweep(steps(0.0, 1.0, 120)).collect::<Result<Vec<_>, _>>()?;
     let view = pump.view(states).plot("stroke", "mm", |state| pump.stroke(state).value * 1e3);
-    show("configured", &view)?;
+    play("configured", &view)?;
     Ok(())
 }
 

@@ -21,7 +21,7 @@ use std::f64::consts::TAU;
 
 use reuleaux::picture::Drawable;
 use reuleaux::{Motion, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, carried, place, polar, show};
+use reuleaux_examples::{Place, apex, carried, place, polar, show};
 
 mechanism! {
     /// A crank-rocker with an encoder on its crank.
@@ -94,7 +94,6 @@ struct Cycle {
     crank: f64,
     /// Of the tip, as the mechanism says it, and as it is.
     speed: [f64; 2],
-    tip: Place,
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -102,7 +101,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut plant = Plant { angle: 0.7, rate: 4.0 };
     let mut observer = Observer { theta: Motion::moving(plant.encoder(), 4.0) };
     let mut state = mechanism.solve(0.0, MeasuredInputs { theta: observer.theta })?;
-    let (mut asked, mut cycles, mut states) = (0.0, Vec::new(), Vec::new());
+    let (mut asked, mut cycles, mut states) = (0.0, Vec::new(), vec![state.clone()]);
     for cycle in 1..=3000 {
         let time = CYCLE * f64::from(cycle);
         plant.turn(INERTIA * asked);
@@ -124,17 +123,25 @@ fn main() -> Result<(), Box<dyn Error>> {
         if cycle % 25 == 0 {
             states.push(state.clone());
         }
-        cycles.push(Cycle { time, crank: plant.rate, speed: [speed, true_speed], tip: tip.value });
+        cycles.push(Cycle { time, crank: plant.rate, speed: [speed, true_speed] });
     }
     print(&cycles);
-    println!("{}", picture(&state, &cycles).save("control_loop")?.display());
+    let plant = |of: fn(&Cycle) -> f64| {
+        let cycles = &cycles;
+        move |state: &MeasuredState| match (state.t / CYCLE).round() as usize {
+            0 => f64::NAN,
+            cycle => of(&cycles[cycle - 1]),
+        }
+    };
     let view = mechanism
         .view(states)
+        .title("Control loop")
         .trace("path of the tip", |state| mechanism.tip(state).value)
         .plot("speed of the tip", "m/s", |state| mechanism.tip(state).rate.norm())
-        .plot("speed of the crank", "rad/s", |state| state.crank().angular_velocity);
-    show("control_loop", &view)?;
-    Ok(())
+        .against("plant", plant(|cycle| cycle.speed[1]))
+        .plot("speed of the crank", "rad/s", |state| state.crank().angular_velocity)
+        .against("plant", plant(|cycle| cycle.crank));
+    show("control_loop", &view, 120, &[])
 }
 
 /// The tip and its derivative by the crank's angle, by triangles.
@@ -154,24 +161,4 @@ fn print(cycles: &[Cycle]) {
     for cycle in cycles.iter().step_by(250) {
         println!("{:6.3}   {:11.4}   {:7.4}   {:16.4}", cycle.time, cycle.crank, cycle.speed[0], cycle.speed[1]);
     }
-}
-
-fn picture(state: &MeasuredState, cycles: &[Cycle]) -> Plate {
-    let mut scene = Scene::new();
-    let (o, c) = (place(0.0, 0.0), place(0.4, 0.0));
-    let (a, b, p) = (
-        state.crank().point(place(0.1, 0.0)).value,
-        state.rocker().point(place(0.3, 0.0)).value,
-        state.coupler().point(place(0.175, 0.08)).value,
-    );
-    scene.link(Ink::Coupler, &[a, b, p]).link(Ink::Input, &[o, a]).link(Ink::Output, &[c, b]);
-    scene.pin(a).pin(b).pin(p).pivot(o).pivot(c);
-    scene.line(Ink::Trace, cycles.iter().map(|cycle| cycle.tip));
-    let over = |of: fn(&Cycle) -> f64| cycles.iter().step_by(5).map(move |cycle| (cycle.time, of(cycle)));
-    let exact = cycles.iter().step_by(100).map(|cycle| (cycle.time, cycle.speed[1]));
-    Plate::new("Control loop", scene, Abscissa { name: "time in s", range: 0.0..3.0, step: 0.5 })
-        .diagram(
-            Diagram::new("speed of the tip in m/s").curve(Ink::Output, "reuleaux", over(|cycle| cycle.speed[0])).circles("plant", exact),
-        )
-        .diagram(Diagram::new("speed of the crank in rad/s").curve(Ink::Input, "", over(|cycle| cycle.crank)))
 }

@@ -23,7 +23,7 @@ use std::f64::consts::TAU;
 
 use reuleaux::picture::Drawable;
 use reuleaux::{Cause, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, place, polar, show, steps};
+use reuleaux_examples::{largest_difference, place, polar, show, steps};
 
 mechanism! {
     /// A locomotive on three coupled axles.
@@ -68,14 +68,22 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (wear, misses) in WEAR.iter().zip(&worn) {
         println!("{:7.1}   {:.3}", wear * 1e3, misses.last().map_or(f64::NAN, |(_, off)| off * 1e3));
     }
-    println!("\n{}", picture(&mechanism, &states, &worn).save("coupled_wheels")?.display());
+    // At the start the pin is in its hole.
+    let off = |wheel: usize| {
+        let worn = &worn[wheel];
+        move |state: &State| worn.iter().rfind(|(t, _)| *t <= state.t).map_or(0.0, |(_, off)| off * 1e3)
+    };
     let view = mechanism
         .view(states)
+        .title("Coupled wheels")
+        .over("path", "m", |state| state.engine().position.x)
         .trace("path of the rod", |state| mechanism.rod(state).value)
         .plot("speed of the rod", "m/s", |state| mechanism.rod(state).rate.norm())
-        .and("trochoid", |state| speed(&mechanism, state));
-    show("coupled_wheels", &view)?;
-    Ok(())
+        .against("trochoid", |state| speed(&mechanism, state))
+        .plot("middle pin off, 0.2 mm worn", "mm", off(0))
+        .and("0.5 mm", off(1))
+        .and("1 mm", off(2));
+    show("coupled_wheels", &view, 75, &[])
 }
 
 /// The rod stays level, and its points move as fast as the pins: on trochoids.
@@ -112,45 +120,7 @@ fn misses(whole: &CoupledWheels, wear: f64, turn: f64) -> Vec<(f64, f64)> {
         (t, off.norm())
     };
     let half = (whole.speed / whole.radius[0] - whole.speed / worn.radius[1]) / 2.0;
-    let found: Vec<(f64, f64)> = steps(0.0, turn, 36).skip(1).map(miss).collect();
+    let found: Vec<(f64, f64)> = steps(0.0, turn, 180).skip(1).map(miss).collect();
     assert!(largest_difference(found.iter().map(|(t, off)| (*off, 2.0 * whole.throw * (half * t).sin().abs()))) < 1e-14);
     found
-}
-
-fn picture(m: &CoupledWheels, states: &[State], worn: &[Vec<(f64, f64)>]) -> Plate {
-    let mut scene = Scene::new();
-    scene.wall(place(0.4, 0.0), place(6.6, 0.0));
-    draw(&mut scene, m, &states[75], states);
-
-    let path = |state: &State| state.engine().position.x;
-    let inks = [Ink::Output, Ink::Second, Ink::Input];
-    let names = ["0.2 mm worn", "0.5 mm", "1 mm"];
-    let mut off = Diagram::new("middle pin off in mm");
-    for ((ink, name), worn) in inks.into_iter().zip(names).zip(worn) {
-        off = off.curve(ink, name, worn.iter().map(|(t, off)| (t * m.speed, off * 1e3)));
-    }
-    Plate::new("Coupled wheels", scene, Abscissa { name: "path in m", range: 0.0..4.5, step: 0.5 })
-        .diagram(
-            Diagram::new("speed of the rod in m/s")
-                .curve(Ink::Trace, "reuleaux", states.iter().map(|state| (path(state), m.rod(state).rate.norm())))
-                .circles("trochoid", states.iter().step_by(6).map(|state| (path(state), speed(m, state)))),
-        )
-        .diagram(off)
-}
-
-fn draw(scene: &mut Scene, m: &CoupledWheels, state: &State, turn: &[State]) {
-    for (wheel, radius) in state.wheel().iter().zip(m.radius) {
-        scene.disc(Ink::Ground, wheel.position, radius);
-    }
-    scene.line(Ink::Trace, turn.iter().map(|state| m.rod(state).value));
-    let axles = state.wheel().map(|wheel| wheel.position);
-    scene.dashes(Ink::Ground, axles[0], axles[2]);
-    let pins = m.pin(state).map(|pin| pin.value);
-    for (axle, pin) in axles.into_iter().zip(pins) {
-        scene.link(Ink::Second, &[axle, pin]).pin(axle);
-    }
-    scene.link(Ink::Output, &pins);
-    for (number, pin) in ["1", "2", "3"].into_iter().zip(pins) {
-        scene.pin(pin).name(pin, number, [0.0, 16.0]);
-    }
 }

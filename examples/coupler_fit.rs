@@ -11,9 +11,10 @@ use std::time::Instant;
 use argmin::core::{CostFunction, Executor, Gradient as Slope, State as _};
 use argmin::solver::linesearch::MoreThuenteLineSearch;
 use argmin::solver::quasinewton::LBFGS;
-use reuleaux::picture::Drawable;
+use reuleaux::picture::{Drawable, GROUND};
+use reuleaux::view::View;
 use reuleaux::{Mechanism, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, carried, largest_difference, place, polar, show, steps};
+use reuleaux_examples::{Place, apex, carried, largest_difference, place, polar, round, show, steps};
 
 mechanism! {
     /// A crank-rocker of any lengths, with a tip that traces a curve.
@@ -162,43 +163,23 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert!(off < 1e-7, "off by {off} m");
     assert!(3 * sweeps < sweeps_of_differences, "{sweeps} of {sweeps_of_differences}");
 
-    let curve = |of: Lengths| -> Result<Vec<Place>, Box<dyn Error>> {
-        let curve = with(of);
-        curve.sweep(steps(0.0, 1.0, 180)).map(|state| Ok(curve.tip(&state?).value)).collect()
+    let (first, last) = (with([0.4, 0.1, 0.35, 0.3, 0.175, 0.08]), with(found));
+    let times = || steps(0.0, 1.0, 5 * POINTS);
+    let [before, after] = [first.sweep(times()).collect::<Result<Vec<_>, _>>()?, last.sweep(times()).collect::<Result<Vec<_>, _>>()?];
+    let states = before.into_iter().zip(after);
+    let given = |angle: f64| {
+        let step = angle.to_degrees() * f64::from(POINTS) / 360.0;
+        if (step - step.round()).abs() < 1e-6 { target()[step.round() as usize % target().len()].y * 1e3 } else { f64::NAN }
     };
-    let [first, last] = [curve([0.4, 0.1, 0.35, 0.3, 0.175, 0.08])?, curve(found)?];
-    draw(&first, &last)?;
-    let fitted = with(found);
-    let states = fitted.sweep(steps(0.0, 1.0, 120)).collect::<Result<Vec<_>, _>>()?;
-    let view = fitted
-        .view(states)
-        .trace("curve of the tip", |state| fitted.tip(state).value)
-        .plot("height of the tip", "mm", |state| fitted.tip(state).value.y * 1e3);
-    show("coupler_fit", &view)?;
-    Ok(())
-}
-
-/// The curve before and after, with the points.
-fn draw(first: &[Place], last: &[Place]) -> Result<(), Box<dyn Error>> {
-    let mut scene = Scene::new();
-    let [ground, ..] = SOUGHT;
-    scene.faint(|scene| {
-        scene.line(Ink::Output, first.iter().copied());
-    });
-    scene.line(Ink::Trace, last.iter().copied());
-    for point in target() {
-        scene.disc(Ink::Input, point, 0.003);
-    }
-    scene.pivot(place(0.0, 0.0)).pivot(place(ground, 0.0));
-    let over = |curve: &[Place]| (0..).map(|step| 2.0 * f64::from(step)).zip(curve.iter().map(|place| 1e3 * place.y)).collect::<Vec<_>>();
-    let points = (0..).map(|step| 360.0 / f64::from(POINTS) * f64::from(step)).zip(target().into_iter().map(|place| 1e3 * place.y));
-    Plate::new("Four-bar fitted to a curve", scene, Abscissa { name: "crank angle in °", range: 0.0..360.0, step: 60.0 })
-        .diagram(
-            Diagram::new("height of the tip in mm")
-                .curve(Ink::Output, "before", over(first))
-                .curve(Ink::Trace, "after", over(last))
-                .circles("given", points),
-        )
-        .save("coupler_fit")?;
-    Ok(())
+    let view = View::new("Four-bar fitted to a curve", states, |(_, state)| state.t, |(_, state)| last.scene(state))
+        .over("crank", "°", |(_, state)| state.crank().angle.to_degrees())
+        .trace("curve before", |(state, _)| first.tip(state).value)
+        .trace("after", |(_, state)| last.tip(state).value)
+        .plot("height of the tip before", "mm", |(state, _)| first.tip(state).value.y * 1e3)
+        .and("after", |(_, state)| last.tip(state).value.y * 1e3)
+        .against("given", |(_, state)| given(state.crank().angle));
+    // The given points.
+    let dot = |at: &Place| round(0.003).into_iter().map(|corner| at + corner).collect::<Vec<_>>();
+    let view = target().iter().fold(view, |view, at| view.outline(GROUND, dot(at)));
+    show("coupler_fit", &view, 20, &[])
 }

@@ -20,7 +20,8 @@ use std::error::Error;
 use reuleaux::mechanism;
 use reuleaux::nalgebra::{Matrix3, Rotation3, Unit, Vector3};
 use reuleaux::picture::Drawable;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, ring, round, seen, show, steps};
+use reuleaux::view::View;
+use reuleaux_examples::{figure, play, round, steps};
 
 mechanism! {
     /// The left front wheel of a car, moved up and down by a test rig.
@@ -102,17 +103,21 @@ fn main() -> Result<(), Box<dyn Error>> {
         assert_places(m, states);
     }
     print(&mechanism, &travel);
-    println!("{}", picture(&mechanism, &travel).save("double_wishbone")?.display());
+    let figured = view(&mechanism, travel).over("travel of the wheel", "mm", |state| mechanism.rise(state).value * 1e3);
+    figure("double_wishbone", &figured, 40, &[0, 80])?;
     let whole: Vec<State> = mechanism.sweep(steps(0.0, 4.0 * quarter, 80)).collect::<Result<_, _>>()?;
-    let view = mechanism
-        .view(whole)
+    play("double_wishbone", &view(&mechanism, whole))
+}
+
+fn view(m: &Wishbones, states: Vec<State>) -> View<State> {
+    m.view(states)
+        .title("Double wishbone suspension")
         .outline("upright", round(0.3).iter().map(|at| W + Vector3::new(at.x, 0.0, at.y)))
-        .trace("path of W", |state| mechanism.W(state).value)
-        .plot("camber", "°", |state| mechanism.camber(state).value.to_degrees())
-        .and("closed form", |state| angles(&exact(&mechanism, mechanism.lower_angle(state).value)[4])[0].to_degrees())
-        .plot("toe-in", "°", |state| mechanism.toe(state).value.to_degrees());
-    show("double_wishbone", &view)?;
-    Ok(())
+        .trace("path of W", |state| m.W(state).value)
+        .plot("camber", "°", |state| m.camber(state).value.to_degrees())
+        .against("closed form", |state| angles(&exact(m, m.lower_angle(state).value)[4])[0].to_degrees())
+        .plot("toe-in", "°", |state| m.toe(state).value.to_degrees())
+        .against("closed form", |state| angles(&exact(m, m.lower_angle(state).value)[4])[1].to_degrees())
 }
 
 /// `place` rotated by `angle` (rad) about the line through `foot` along `axis`.
@@ -186,44 +191,4 @@ fn print(m: &Wishbones, travel: &[State]) {
         let gain = (m.camber(state).rate / m.rise(state).rate).to_degrees();
         println!("{:8.1}   {camber:8.3}   {toe:8.3}   {:13.2}   {gain:8.2}", m.rise(state).value * 1e3, m.W(state).value.y * 1e3);
     }
-}
-
-fn picture(m: &Wishbones, travel: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    for state in [&travel[0], &travel[80]] {
-        scene.faint(|scene| draw(scene, m, state));
-    }
-    draw(&mut scene, m, &travel[40]);
-    for (place, name, aside) in [(B, "B", [14.0, -12.0]), (C, "C", [-2.0, 16.0]), (T, "T", [-12.0, -14.0]), (W, "W", [14.0, 4.0])] {
-        scene.name(seen(&place), name, aside);
-    }
-
-    let over = |of: fn(&Wishbones, &State) -> f64| travel.iter().map(move |state| (m.rise(state).value * 1e3, of(m, state).to_degrees()));
-    let dots = |part: usize| {
-        let exact = move |state| angles(&exact(m, m.lower_angle(state).value)[4])[part];
-        travel.iter().step_by(5).map(move |state| (m.rise(state).value * 1e3, exact(state).to_degrees()))
-    };
-    Plate::new("Double wishbone suspension", scene, Abscissa { name: "travel of the wheel in mm", range: -80.0..80.0, step: 20.0 })
-        .diagram(
-            Diagram::new("camber in °")
-                .curve(Ink::Output, "reuleaux", over(|m, state| m.camber(state).value))
-                .circles("closed form", dots(0)),
-        )
-        .diagram(Diagram::new("toe-in in °").curve(Ink::Output, "", over(|m, state| m.toe(state).value)).circles("", dots(1)))
-}
-
-fn draw(scene: &mut Scene, m: &Wishbones, state: &State) {
-    let [b, c, t, w] = [m.B(state), m.C(state), m.T(state), m.W(state)].map(|point| point.value);
-    let spindle = state.upright().vector(Vector3::y()).value;
-    let wishbone = |scene: &mut Scene, ink: Ink, foot: Vector3<f64>, hinge: Vector3<f64>, ball: Vector3<f64>| {
-        scene.link(ink, &[seen(&foot), seen(&ball)]).link(ink, &[seen(&(foot + hinge)), seen(&ball)]);
-    };
-    wishbone(scene, Ink::Coupler, LOWER, Vector3::new(-0.28, 0.0, 0.01), b);
-    wishbone(scene, Ink::Second, UPPER, Vector3::new(-0.18, 0.0, -0.015), c);
-    scene.link(Ink::Input, &[seen(&Vector3::new(-0.12, 0.42, m.rack_height)), seen(&t)]);
-    scene.surface(Ink::Output, [b, c, t].map(|corner| seen(&corner)));
-    for side in [-0.09, 0.09] {
-        scene.line(Ink::Output, ring(&(w + spindle * side), &spindle, 0.3));
-    }
-    scene.pin(seen(&b)).pin(seen(&c)).pin(seen(&t));
 }

@@ -24,9 +24,9 @@ use std::error::Error;
 use std::f64::consts::{PI, TAU};
 
 use reuleaux::nalgebra::Vector2;
-use reuleaux::picture::Drawable;
+use reuleaux::picture::{Drawable, GROUND};
 use reuleaux::{Integrator, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, gauss, largest_difference, place, polar, rectangle, show, steps};
+use reuleaux_examples::{gauss, largest_difference, place, rectangle, round, show, steps};
 
 /// The engine with its cause of motion: a drive, or a freedom and a load.
 macro_rules! engine {
@@ -127,20 +127,14 @@ fn exact(flywheel: f64, pressure: f64, angle: f64, [speed, rise]: [f64; 2]) -> E
     Exact { inertia, gas, torque, pins: [small_end, big_end, big_end + place(0.0, CRANK * GRAVITY)] }
 }
 
-/// A sample of an engine: crank angle (rad) and speed (rad/s), torque (N m), pressure (Pa), pin forces (N); and in closed form the torque
-/// of a driven crank, or the speed of a free one.
+/// The speed of a free engine (rad/s), found and in closed form.
 struct Look {
-    angle: f64,
     speed: f64,
-    torque: f64,
-    pressure: f64,
-    pins: [f64; 3],
     closed: f64,
 }
 
 /// A cycle at constant speed, with the cumulative work of gas and crank (J) at each step.
 struct Cycle {
-    looks: Vec<Look>,
     gas: Vec<f64>,
     crank: Vec<f64>,
 }
@@ -163,18 +157,34 @@ fn main() -> Result<(), Box<dyn Error>> {
         let [light, heavy] = [&pair[0].1, &pair[1].1].map(|[found, formula]| (found / formula - 1.0).abs());
         assert!(heavy < 0.6 * light && heavy < 0.1, "{light} and {heavy} from the formula");
     }
-    println!("{}", picture(&cycle, load, &runs)?.save("engine")?.display());
     let m = Driven::default();
-    let states = m.sweep(steps(0.0, 2.0 * TAU / m.speed, 240)).collect::<Result<Vec<DrivenState<f64>>, _>>()?;
+    let states = m.sweep(steps(0.0, 2.0 * TAU / m.speed, 720 / STEP)).collect::<Result<Vec<DrivenState<f64>>, _>>()?;
+    let run = |number: usize, of: fn(&Look) -> f64| {
+        let looks = &runs[number].2;
+        move |state: &DrivenState<f64>| of(&looks[(state.crank().angle.to_degrees() / f64::from(STEP)).round() as usize]) * 60.0 / TAU
+    };
     let view = m
         .view(states)
+        .title("Engine and flywheel")
+        .over("crank", "°", |state| state.crank().angle.to_degrees())
+        .outline("crank", round(0.062))
+        .outline("piston", rectangle(place(0.0, 0.0), 0.0, 0.05, 0.08))
+        .outline(GROUND, rectangle(place(0.167, 0.042), 0.0, 0.136, 0.003))
+        .outline(GROUND, rectangle(place(0.167, -0.042), 0.0, 0.136, 0.003))
+        .outline(GROUND, rectangle(place(0.236, 0.0), 0.0, 0.003, 0.084))
         .plot("gas", "bar", |state| m.pressure(state).value / 1e5)
         .plot("torque", "N m", |state| -m.loads(state).motor().effort)
-        .and("virtual work", |state| -exact(m.flywheel, m.pressure(state).value, state.crank().angle, [m.speed, 0.0]).torque)
-        .plot("small end", "N", |state| m.loads(state).small_end().force.norm())
-        .and("big end", |state| m.loads(state).big_end().force.norm());
-    show("engine", &view)?;
-    Ok(())
+        .and("its mean, the load", |_| load)
+        .against("virtual work", |state| -exact(m.flywheel, m.pressure(state).value, state.crank().angle, [m.speed, 0.0]).torque)
+        .plot("small end", "kN", |state| m.loads(state).small_end().force.norm() / 1e3)
+        .and("big end", |state| m.loads(state).big_end().force.norm() / 1e3)
+        .plot("speed, J = 0.2 kg m²", "rpm", run(1, |look| look.speed))
+        .and("0.4 kg m²", run(2, |look| look.speed))
+        .and("0.8 kg m²", run(3, |look| look.speed))
+        .against("energy", run(1, |look| look.closed))
+        .against("energy", run(2, |look| look.closed))
+        .against("energy", run(3, |look| look.closed));
+    show("engine", &view, 200, &[])
 }
 
 /// A cycle at constant speed, sampled at Gauss points.
@@ -182,7 +192,7 @@ fn driven() -> Result<Cycle, Box<dyn Error>> {
     let m = Driven::default();
     let panels = (0..720 / STEP).map(|k| [k, k + 1].map(|k| f64::from(k * STEP).to_radians()));
     let places: Vec<(f64, f64)> = panels.flat_map(|[from, to]| gauss(from, to)).collect();
-    let mut cycle = Cycle { looks: Vec::new(), gas: vec![0.0], crank: vec![0.0] };
+    let mut cycle = Cycle { gas: vec![0.0], crank: vec![0.0] };
     let (mut gas, mut crank) = (0.0, 0.0);
     for (k, state) in m.sweep(places.iter().map(|(angle, _)| angle / m.speed)).enumerate() {
         let state = state?;
@@ -196,15 +206,6 @@ fn driven() -> Result<Cycle, Box<dyn Error>> {
             cycle.gas.push(gas);
             cycle.crank.push(crank);
         }
-        let torque = -loads.motor().effort;
-        cycle.looks.push(Look {
-            angle: places[k].0,
-            speed: m.speed,
-            torque,
-            pressure,
-            pins: pins.map(|pin| pin.norm()),
-            closed: -exact.torque,
-        });
     }
     Ok(cycle)
 }
@@ -240,8 +241,7 @@ fn free(flywheel: f64, load: f64, cycle: &Cycle) -> Result<Vec<Look>, Box<dyn Er
         let closed = (2.0 * kinetic / exact.inertia).sqrt();
         let off = crank.angular_velocity / closed - 1.0;
         assert!(off.abs() < 1e-10, "the speed is off by {off:e} at {angle} rad");
-        let pins = pins.map(|pin| pin.norm());
-        looks.push(Look { angle, speed: crank.angular_velocity, torque: load, pressure, pins, closed });
+        looks.push(Look { speed: crank.angular_velocity, closed });
     }
     Ok(looks)
 }
@@ -253,47 +253,4 @@ fn fluctuation(run: &[Look], share: f64) -> [f64; 2] {
     let both = [(high - low) / mean, share / (mean * mean)];
     println!("   {:11.1}   {:11.1}   {:11.5}   {:9.5}", low * 60.0 / TAU, high * 60.0 / TAU, both[0], both[1]);
     both
-}
-
-fn picture(cycle: &Cycle, load: f64, runs: &[(f64, [f64; 2], Vec<Look>)]) -> Result<Plate, Box<dyn Error>> {
-    let mut scene = Scene::new();
-    let m = Driven::default();
-    let shown = m.solve(400_f64.to_radians() / m.speed)?;
-    draw(&mut scene, &shown);
-    let over = |of: fn(&Look) -> f64| cycle.looks.iter().skip(2).step_by(5).map(move |look| (look.angle.to_degrees(), of(look)));
-    let speed = |run: usize| runs[run].2.iter().map(|look| (look.angle.to_degrees(), look.speed * 60.0 / TAU)).collect::<Vec<_>>();
-    let closed = |look: &Look| (look.angle.to_degrees(), look.closed * 60.0 / TAU);
-    let work = cycle.looks.iter().step_by(25).map(|look| (look.angle.to_degrees(), look.closed));
-    let torque = Diagram::new("torque in N m")
-        .curve(Ink::Input, "at constant speed", over(|look| look.torque))
-        .curve(Ink::Output, "its mean, the load", [(0.0, load), (720.0, load)])
-        .circles("virtual work", work);
-    let speeds = Diagram::new("speed in rpm")
-        .curve(Ink::Input, "J = 0.2 kg m²", speed(1))
-        .curve(Ink::Coupler, "0.4 kg m²", speed(2))
-        .curve(Ink::Output, "0.8 kg m²", speed(3))
-        .circles("energy", runs[1..4].iter().flat_map(|run| run.2.iter().step_by(10)).map(closed));
-    let pins = Diagram::new("pin forces in kN").curve(Ink::Output, "small end", over(|look| look.pins[0] / 1e3)).curve(
-        Ink::Coupler,
-        "big end",
-        over(|look| look.pins[1] / 1e3),
-    );
-    Ok(Plate::new("Engine and flywheel", scene, Abscissa { name: "crank angle in °", range: 0.0..720.0, step: 90.0 })
-        .diagram(Diagram::new("gas in bar").curve(Ink::Second, "", over(|look| look.pressure / 1e5)))
-        .diagram(torque)
-        .diagram(pins)
-        .diagram(speeds))
-}
-
-fn draw(scene: &mut Scene, state: &DrivenState<f64>) {
-    let (crank, rod, piston) = (state.crank(), state.rod(), state.piston().position);
-    let [a, o] = [rod.position, crank.position];
-    scene.disc(Ink::Second, o, 0.062);
-    let [left, right] = [0.1, 0.235].map(|x| move |y: f64| place(x, y));
-    scene.wall(right(0.041), left(0.041)).wall(left(-0.041), right(-0.041)).wall(right(-0.041), right(0.041));
-    scene.surface(Ink::Output, rectangle(piston, 0.0, 0.05, 0.08));
-    scene.link(Ink::Coupler, &[a, piston]).link(Ink::Input, &[o, a]);
-    scene.pin(a).pin(piston).pivot(o);
-    scene.name(a, "A", [-2.0, 17.0]).name(piston, "B", [0.0, 18.0]).name(o, "O", [-17.0, 3.0]);
-    scene.name(o + polar(0.05, -0.9), "J", [0.0, 0.0]).name(place(0.219, 0.0), "p", [0.0, 0.0]);
 }

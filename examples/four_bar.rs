@@ -19,7 +19,7 @@ use std::error::Error;
 
 use reuleaux::mechanism;
 use reuleaux::picture::Drawable;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, show, steps};
+use reuleaux_examples::{largest_difference, show, steps};
 
 mechanism! {
     /// A Grashof crank-rocker.
@@ -69,14 +69,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_ratio(&mechanism, &turn);
     assert_norton()?;
     print(&mechanism, &turn);
-    println!("{}", picture(&mechanism, &turn).save("four_bar")?.display());
     let view = mechanism
         .view(turn)
+        .title("Crank-rocker four-bar")
+        .over("crank", "°", |state| state.crank().angle.to_degrees())
         .trace("path of P", |state| mechanism.P(state).value)
         .plot("rocker", "°", |state| state.rocker().angle.to_degrees())
-        .and("Freudenstein's equation", |state| freudenstein(&mechanism, state.crank().angle).to_degrees())
-        .plot("velocity", "rad/s", |state| state.rocker().angular_velocity);
-    show("four_bar", &view)?;
+        .against("Freudenstein's equation", |state| freudenstein(&mechanism, state.crank().angle).to_degrees())
+        .plot("velocity of the rocker", "rad/s", |state| state.rocker().angular_velocity)
+        .plot("acceleration of the rocker", "rad/s²", |state| state.rocker().angular_acceleration);
+    show("four_bar", &view, 25, &[55, 85, 115, 145])?;
     Ok(())
 }
 
@@ -132,38 +134,4 @@ fn print(m: &CrankRocker, turn: &[State]) {
             1.0 / m.ratio(state).value
         );
     }
-}
-
-fn picture(m: &CrankRocker, turn: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    for state in turn.iter().step_by(30).skip(1) {
-        scene.faint(|scene| draw(scene, m, state));
-    }
-    draw(&mut scene, m, &turn[25]);
-    scene.line(Ink::Trace, turn.iter().map(|state| m.P(state).value));
-    name(&mut scene, m, &turn[25]);
-
-    let crank = |state: &State| state.crank().angle.to_degrees();
-    let over = |of: fn(&State) -> f64| turn.iter().map(move |state| (crank(state), of(state)));
-    let exact = turn.iter().step_by(9).map(|state| (crank(state), freudenstein(m, state.crank().angle).to_degrees()));
-    Plate::new("Crank-rocker four-bar", scene, Abscissa { name: "crank angle in °", range: 0.0..360.0, step: 60.0 })
-        .diagram(
-            Diagram::new("rocker angle in °")
-                .curve(Ink::Output, "reuleaux", over(|state| state.rocker().angle.to_degrees()))
-                .circles("Freudenstein's equation", exact),
-        )
-        .diagram(Diagram::new("velocity in rad/s").curve(Ink::Output, "", over(|state| state.rocker().angular_velocity)))
-        .diagram(Diagram::new("acceleration in rad/s²").curve(Ink::Output, "", over(|state| state.rocker().angular_acceleration)))
-}
-
-fn draw(scene: &mut Scene, m: &CrankRocker, state: &State) {
-    let [o, a, b, c, p] = [m.O(state), m.A(state), m.B(state), m.C(state), m.P(state)].map(|point| point.value);
-    scene.link(Ink::Coupler, &[a, b, p]).link(Ink::Input, &[o, a]).link(Ink::Output, &[c, b]);
-    scene.pin(a).pin(b).pin(p).pivot(o).pivot(c);
-}
-
-fn name(scene: &mut Scene, m: &CrankRocker, state: &State) {
-    let [o, a, b, c, p] = [m.O(state), m.A(state), m.B(state), m.C(state), m.P(state)].map(|point| point.value);
-    scene.name(o, "O", [-16.0, 2.0]).name(c, "C", [16.0, 2.0]);
-    scene.name(a, "A", [-14.0, 6.0]).name(b, "B", [15.0, 5.0]).name(p, "P", [0.0, 16.0]);
 }

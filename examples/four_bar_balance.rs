@@ -28,7 +28,7 @@ use reuleaux::mechanism;
 use reuleaux::nalgebra::Vector2;
 use reuleaux::picture::Drawable;
 use reuleaux::view::View;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, largest_difference, place, polar, show, steps};
+use reuleaux_examples::{apex, largest_difference, place, polar, round, show, steps};
 
 mechanism! {
     /// A crank-rocker with masses, and a weight on its crank.
@@ -86,15 +86,24 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     assert_rule(&plain, &before, &after);
     print(&before, &after);
-    println!("{}", picture(&before, &after).save("four_bar_balance")?.display());
-    let view = View::new("Counterweight of a four-bar", &after, |at| at.state.t, |at| balanced.scene(&at.state))
-        .trace("path of B", |at| at.state.rocker().point(place(LINKS[2][2], 0.0)).value)
-        .plot("shaking", "N", |at| at.shaking.norm())
-        .and("rate of the momentum", |at| at.exact.force.norm())
-        .plot("torque", "N m", |at| at.torque)
-        .and("power balance", |at| at.exact.power / balanced.speed);
-    show("four_bar_balance", &view)?;
-    Ok(())
+    let view =
+        View::new("Counterweight of a four-bar", before.iter().zip(&after), |(_, at)| at.state.t, |(_, at)| balanced.scene(&at.state))
+            .over("crank", "°", |(_, at)| at.state.crank().angle.to_degrees())
+            .outline("disc", round(0.016))
+            .trace("path of B", |(_, at)| at.state.rocker().point(place(LINKS[2][2], 0.0)).value)
+            .plot("shaking without weight", "N", |(at, _)| at.shaking.norm())
+            .and("with it", |(_, at)| at.shaking.norm())
+            .against("rate of the momentum", |(at, _)| at.exact.force.norm())
+            .against("rate of the momentum", |(_, at)| at.exact.force.norm())
+            .plot("torque without weight", "N m", |(at, _)| at.torque)
+            .and("with it", |(_, at)| at.torque)
+            .against("power balance", |(at, _)| at.exact.power / plain.speed)
+            .against("power balance", |(_, at)| at.exact.power / balanced.speed)
+            .plot("pin O with the weight", "N", |(_, at)| at.pins[0].norm())
+            .and("A", |(_, at)| at.pins[1].norm())
+            .and("B", |(_, at)| at.pins[2].norm())
+            .and("C", |(_, at)| at.pins[3].norm());
+    show("four_bar_balance", &view, 60, &[120, 240])
 }
 
 /// Unbalance that the weight should balance: mass times distance from the axle (kg m).
@@ -199,52 +208,4 @@ fn print(before: &[Loaded], after: &[Loaded]) {
             a.pins[0].norm()
         );
     }
-}
-
-fn picture(before: &[Loaded], after: &[Loaded]) -> Plate {
-    let mut scene = Scene::new();
-    for at in before.iter().skip(30).step_by(120) {
-        scene.faint(|scene| draw(scene, &at.state));
-    }
-    let shown = &after[60].state;
-    draw(&mut scene, shown);
-    let [o, a, c] = [shown.crank(), shown.coupler(), shown.rocker()].map(|body| body.position);
-    let b = shown.rocker().position + polar(LINKS[2][2], shown.rocker().angle);
-    scene.pivot(o).pivot(c);
-    scene.name(o, "O", [-17.0, 4.0]).name(a, "A", [-8.0, 17.0]).name(b, "B", [2.0, 18.0]).name(c, "C", [18.0, 4.0]);
-    let over = |turn: &[Loaded], of: &dyn Fn(&Loaded) -> f64| -> Vec<(f64, f64)> {
-        turn.iter().map(|at| (at.state.crank().angle.to_degrees(), of(at))).collect()
-    };
-    let circles = |turn: &[Loaded], of: &dyn Fn(&Loaded) -> f64| over(turn, of).into_iter().step_by(15).collect::<Vec<_>>();
-    let speed = Balanced::<f64>::default().speed;
-    Plate::new("Counterweight of a four-bar", scene, Abscissa { name: "crank angle in °", range: 0.0..360.0, step: 60.0 })
-        .diagram(
-            Diagram::new("shaking in N")
-                .curve(Ink::Input, "without weight", over(before, &|at| at.shaking.norm()))
-                .curve(Ink::Output, "with it", over(after, &|at| at.shaking.norm()))
-                .circles("rate of the momentum", circles(before, &|at| at.exact.force.norm()))
-                .circles("", circles(after, &|at| at.exact.force.norm())),
-        )
-        .diagram(
-            Diagram::new("torque in N m")
-                .curve(Ink::Input, "without weight", over(before, &|at| at.torque))
-                .curve(Ink::Output, "with it", over(after, &|at| at.torque))
-                .circles("power balance", circles(before, &|at| at.exact.power / speed))
-                .circles("", circles(after, &|at| at.exact.power / speed)),
-        )
-        .diagram(
-            Diagram::new("pin forces in N")
-                .curve(Ink::Input, "O", over(after, &|at| at.pins[0].norm()))
-                .curve(Ink::Coupler, "A", over(after, &|at| at.pins[1].norm()))
-                .curve(Ink::Output, "B", over(after, &|at| at.pins[2].norm()))
-                .curve(Ink::Second, "C, all with the weight", over(after, &|at| at.pins[3].norm())),
-        )
-}
-
-fn draw(scene: &mut Scene, state: &State) {
-    let [o, a, c, weight] = [state.crank(), state.coupler(), state.rocker(), state.disc()].map(|body| body.position);
-    let b: Place = c + polar(LINKS[2][2], state.rocker().angle);
-    scene.link(Ink::Coupler, &[a, b]).link(Ink::Input, &[weight, o, a]).link(Ink::Output, &[c, b]);
-    scene.disc(Ink::Input, weight, 0.016);
-    scene.pin(a).pin(b);
 }

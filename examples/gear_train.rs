@@ -12,11 +12,12 @@
 //! Source: the law of gearing; module 4 mm.
 
 use std::error::Error;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use reuleaux::mechanism;
 use reuleaux::picture::Drawable;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, gear, largest_difference, meshing, polar, show, steps};
+use reuleaux::view::View;
+use reuleaux_examples::{figure, largest_difference, play, steps};
 
 mechanism! {
     /// A positioning drive.
@@ -58,20 +59,22 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_ratio()?;
     assert_rolling(&motion);
     print(&motion);
-    println!("{}", picture(&mechanism, &motion).save("gear_train")?.display());
+    figure("gear_train", &view(&mechanism, motion), 50, &[])?;
     // One turn of the motor, slow enough to be seen.
     let slow = Positioner { turns: TAU, ..mechanism };
     let motion: Vec<State> = slow.sweep(steps(0.0, 3.0, 120)).collect::<Result<_, _>>()?;
-    let view = slow
-        .view(motion)
-        .trace("path of P", |state| slow.P(state).value)
+    play("gear_train", &view(&slow, motion))
+}
+
+fn view(m: &Positioner, motion: Vec<State>) -> View<State> {
+    m.view(motion)
+        .title("Two-stage gear train")
+        .trace("path of P", |state| m.P(state).value)
         .plot("turret", "°", |state| state.turret().angle.to_degrees())
-        .and("a ninth of the motor", |state| state.motor().angle.to_degrees() / 9.0)
+        .against("a ninth of the motor", |state| state.motor().angle.to_degrees() / 9.0)
         .plot("motor", "rpm", |state| state.motor().angular_velocity * 60.0 / TAU)
         .and("middle shaft", |state| state.middle().angular_velocity * 60.0 / TAU)
-        .and("turret", |state| state.turret().angular_velocity * 60.0 / TAU);
-    show("gear_train", &view)?;
-    Ok(())
+        .and("turret", |state| state.turret().angular_velocity * 60.0 / TAU)
 }
 
 /// The turret rotates by a ninth, to the last bit.
@@ -113,36 +116,4 @@ fn print(motion: &[State]) {
             speeds[2]
         );
     }
-}
-
-fn picture(m: &Positioner, motion: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    draw(&mut scene, &motion[50]);
-    scene.line(Ink::Trace, motion[..=50].iter().map(|state| m.P(state).value));
-    let [a, b, c] = [motion[0].motor(), motion[0].middle(), motion[0].turret()].map(|body| body.position);
-    scene.pivot(a).pivot(b).pivot(c).pin(m.P(&motion[50]).value);
-    scene.name(a, "motor, 20", [-2.0, -50.0]).name(b, "60 and 18", [0.0, -56.0]).name(c, "turret, 54", [0.0, 28.0]);
-
-    let over = |of: fn(&State) -> f64| motion.iter().map(move |state| (state.t, of(state)));
-    let rpm = 60.0 / TAU;
-    let speed = |of: fn(&State) -> f64| over(of).map(move |(t, rate)| (t, rate * rpm));
-    Plate::new("Two-stage gear train", scene, Abscissa { name: "time in s", range: 0.0..3.0, step: 0.5 })
-        .diagram(Diagram::new("turret in °").curve(Ink::Output, "", over(|state| state.turret().angle.to_degrees())))
-        .diagram(
-            Diagram::new("speeds in rpm")
-                .curve(Ink::Input, "motor", speed(|state| state.motor().angular_velocity))
-                .curve(Ink::Coupler, "middle", speed(|state| state.middle().angular_velocity))
-                .curve(Ink::Output, "turret", speed(|state| state.turret().angular_velocity)),
-        )
-}
-
-fn draw(scene: &mut Scene, state: &State) {
-    let (motor, middle, turret) = (state.motor(), state.middle(), state.turret());
-    let first = meshing(0.0, 20.0, 60.0, 0.0);
-    let second = meshing(PI / 2.0, 18.0, 54.0, 0.0);
-    scene.surface(Ink::Input, gear(motor.position, 20, MODULE, motor.angle));
-    scene.surface(Ink::Coupler, gear(middle.position, 60, MODULE, middle.angle + first));
-    scene.surface(Ink::Output, gear(turret.position, 54, MODULE, turret.angle + second));
-    scene.surface(Ink::Coupler, gear(middle.position, 18, MODULE, middle.angle));
-    scene.dashes(Ink::Output, turret.position, turret.position + polar(0.12, turret.angle));
 }

@@ -26,8 +26,9 @@ use std::f64::consts::TAU;
 
 use reuleaux::nalgebra::Vector2;
 use reuleaux::picture::Drawable;
+use reuleaux::view::View;
 use reuleaux::{Integrator, constraint, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, gauss, gear, meshing, place, polar, show, steps};
+use reuleaux_examples::{figure, gauss, gear, meshing, place, play, steps};
 
 constraint! {
     /// Two involute gears with base radii `a` and `b` about `A` and `B`; `side` is 1 if that of `A` drives to the left, −1 if to the
@@ -105,22 +106,30 @@ fn main() -> Result<(), Box<dyn Error>> {
         assert_forces(&m, state);
     }
     print(&m, &start);
-    println!("{}", picture(&m, &start).save("geared_start")?.display());
+    figure("geared_start", &view(&m, start), 4, &[])?;
     // The first turns of the motor.
     let begin: Vec<State> = m.sweep(steps(0.0, 0.25, 120), Integrator::new(1e-11)).collect::<Result<_, _>>()?;
+    play("geared_start", &view(&m, begin))
+}
+
+fn view(m: &Hoist, states: Vec<State>) -> View<State> {
     let wheel = |teeth, tooth| gear(place(0.0, 0.0), teeth, MODULE, tooth);
-    let view = m
-        .view(begin)
+    m.view(states)
+        .title("Start of a hoist")
         .outline("drum", wheel(54, meshing(TAU / 4.0, 18.0, 54.0, 0.0)))
         .outline("middle", wheel(60, meshing(0.0, 20.0, 60.0, 0.0)))
         .outline("middle", wheel(18, 0.0))
         .outline("motor", wheel(20, 0.0))
         .plot("motor", "rpm", |state| state.motor().angular_velocity * 60.0 / TAU)
-        .and("closed form", |state| exact(&m, state.t).motor[1] * 60.0 / TAU)
+        .and("middle shaft", |state| -state.middle().angular_velocity * 60.0 / TAU)
+        .and("drum", |state| state.drum().angular_velocity * 60.0 / TAU)
+        .against("closed form", |state| exact(m, state.t).motor[1] * 60.0 / TAU)
         .plot("teeth 20 : 60", "N", |state| m.loads(state).first().force.norm())
-        .and("teeth 18 : 54", |state| m.loads(state).second().force.norm());
-    show("geared_start", &view)?;
-    Ok(())
+        .and("teeth 18 : 54", |state| m.loads(state).second().force.norm())
+        .and("bearing of the middle shaft", |state| m.loads(state).b().force.norm())
+        .against("train cut at the mesh", |state| exact(m, state.t).teeth[0].norm())
+        .against("train cut at the mesh", |state| exact(m, state.t).teeth[1].norm())
+        .against("train cut at the mesh", |state| (exact(m, state.t).teeth[1] - exact(m, state.t).teeth[0]).norm())
 }
 
 /// The start, with the work of motor and load compared with the kinetic energy.
@@ -186,43 +195,5 @@ fn print(m: &Hoist, start: &[State]) {
         let (motor, drum) = (rpm(state.motor().angular_velocity), rpm(state.drum().angular_velocity));
         let closed = rpm(exact(m, state.t).motor[1]);
         println!("{:6.2}   {motor:9.2}   {closed:7.2}   {drum:8.3}   {first:7.2}   {second:7.2}   {a:6.2} {b:6.2} {c:6.2}", state.t);
-    }
-}
-
-fn picture(m: &Hoist, start: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    draw(&mut scene, m, &start[4]);
-    let over = |of: &dyn Fn(&State) -> f64| start.iter().map(|state| (state.t, of(state))).collect::<Vec<_>>();
-    let closed = |of: &dyn Fn(&Exact) -> f64| start.iter().step_by(5).map(|state| (state.t, of(&exact(m, state.t)))).collect::<Vec<_>>();
-    let speeds = Diagram::new("speed in rpm")
-        .curve(Ink::Input, "motor", over(&|state| state.motor().angular_velocity * 60.0 / TAU))
-        .curve(Ink::Coupler, "middle shaft", over(&|state| -state.middle().angular_velocity * 60.0 / TAU))
-        .curve(Ink::Output, "drum", over(&|state| state.drum().angular_velocity * 60.0 / TAU))
-        .circles("closed form", closed(&|exact| exact.motor[1] * 60.0 / TAU));
-    let teeth = Diagram::new("force in N")
-        .curve(Ink::Input, "teeth 20 : 60", over(&|state| m.loads(state).first().force.norm()))
-        .curve(Ink::Output, "teeth 18 : 54", over(&|state| m.loads(state).second().force.norm()))
-        .curve(Ink::Coupler, "bearing of the middle shaft", over(&|state| m.loads(state).b().force.norm()))
-        .circles("train cut at the mesh", closed(&|exact| exact.teeth[0].norm()))
-        .circles("", closed(&|exact| exact.teeth[1].norm()))
-        .circles("", closed(&|exact| (exact.teeth[1] - exact.teeth[0]).norm()));
-    Plate::new("Start of a hoist", scene, Abscissa { name: "time in s", range: 0.0..2.5, step: 0.5 }).diagram(speeds).diagram(teeth)
-}
-
-fn draw(scene: &mut Scene, m: &Hoist, state: &State) {
-    let (motor, middle, drum) = (state.motor(), state.middle(), state.drum());
-    let (first, second) = (meshing(0.0, 20.0, 60.0, 0.0), meshing(TAU / 4.0, 18.0, 54.0, 0.0));
-    scene.surface(Ink::Input, gear(motor.position, 20, MODULE, motor.angle));
-    scene.surface(Ink::Coupler, gear(middle.position, 60, MODULE, middle.angle + first));
-    scene.surface(Ink::Output, gear(drum.position, 54, MODULE, drum.angle + second));
-    scene.surface(Ink::Coupler, gear(middle.position, 18, MODULE, middle.angle));
-    scene.pivot(motor.position).pivot(middle.position).pivot(drum.position);
-    scene.name(motor.position, "motor, 20", [-2.0, -50.0]).name(middle.position, "60 and 18", [0.0, -56.0]);
-    scene.name(drum.position, "drum, 54", [0.0, 28.0]);
-    let teeth = [m.loads(state).first().force, m.loads(state).second().force];
-    let pitch = [motor.position + polar(10.0 * MODULE, 0.0), middle.position + polar(9.0 * MODULE, TAU / 4.0)];
-    for (from, force) in pitch.into_iter().zip(teeth) {
-        let (to, along) = (from + force * 4e-4, force.y.atan2(force.x));
-        scene.line(Ink::Trace, [from, to]).line(Ink::Trace, [to - polar(0.006, along + 0.4), to, to - polar(0.006, along - 0.4)]);
     }
 }

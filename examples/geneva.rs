@@ -29,7 +29,7 @@ use std::f64::consts::{PI, TAU};
 
 use reuleaux::mechanism;
 use reuleaux::picture::Drawable;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, largest_difference, on, place, polar, show, steps};
+use reuleaux_examples::{Place, largest_difference, place, polar, round, show, steps};
 
 /// Number of slots.
 const SLOTS: f64 = 4.0;
@@ -76,17 +76,20 @@ fn main() -> Result<(), Box<dyn Error>> {
     print_peaks(&mechanism)?;
     let turn: Vec<State> = mechanism.sweep(steps(0.0, 1.0, 720)).collect::<Result<_, _>>()?;
     print(&mechanism, &turn);
-    println!("{}", picture(&mechanism, &turn).save("geneva")?.display());
     let view = mechanism
-        .view(turn.into_iter().step_by(3))
+        .view(turn)
+        .title("Geneva wheel")
+        .over("crank", "°", |state| state.crank().angle.to_degrees())
         .outline("wheel", wheel(&mechanism))
         .outline("crank", disc(&mechanism))
+        .outline("crank", round(0.06 * mechanism.distance).iter().map(|at| place(mechanism.distance * (PI / SLOTS).sin(), 0.0) + at))
         .plot("wheel", "°", |state| mechanism.angle(state).value.to_degrees())
-        .and("formula", |state| formula(state.crank().angle)[0].to_degrees())
+        .against("formula", |state| formula(state.crank().angle)[0].to_degrees())
         .plot("velocity", "rad/s", |state| mechanism.angle(state).rate)
-        .plot("acceleration", "rad/s²", |state| mechanism.angle(state).acceleration);
-    show("geneva", &view)?;
-    Ok(())
+        .against("formula", |state| formula(state.crank().angle)[1] * mechanism.speed)
+        .plot("acceleration", "rad/s²", |state| mechanism.angle(state).acceleration)
+        .against("formula", |state| formula(state.crank().angle)[2] * mechanism.speed.powi(2));
+    show("geneva", &view, 325, &[])
 }
 
 /// The wheel's angle (rad) and its derivatives by the crank's angle, from the middle of the engagement.
@@ -158,38 +161,6 @@ fn print(m: &Geneva, turn: &[State]) {
         let (crank, wheel) = (state.crank().angle.to_degrees(), m.angle(state));
         println!("{crank:7.0}   {:7.3}   {:14.3}   {:19.2}", wheel.value.to_degrees(), wheel.rate + 0.0, wheel.acceleration + 0.0);
     }
-}
-
-fn picture(m: &Geneva, turn: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    let shown = &turn[325];
-    let (w, o, p) = (place(m.distance, 0.0), place(0.0, 0.0), m.P(shown).value);
-    scene.surface(Ink::Output, wheel(m).into_iter().map(|point| on(&shown.wheel(), point)));
-    scene.surface(Ink::Input, disc(m).into_iter().map(|point| on(&shown.crank(), point)));
-    scene.link(Ink::Input, &[o, p]);
-    scene.disc(Ink::Coupler, p, 0.06 * m.distance).pin(p).pivot(o).pivot(w);
-    scene.name(o, "O", [-18.0, 4.0]).name(p, "P", [-20.0, 8.0]).name(w, "W", [16.0, 4.0]);
-
-    let degrees = |state: &State| state.crank().angle.to_degrees();
-    let curve = |of: fn(&Geneva, &State) -> f64| turn.iter().map(move |state| (degrees(state), of(m, state)));
-    let exact = |order: usize, scale: f64| {
-        let some = turn.iter().skip(3).step_by(24);
-        some.map(move |state| (degrees(state), formula(state.crank().angle)[order] * scale))
-    };
-    Plate::new("Geneva wheel", scene, Abscissa { name: "crank angle in °", range: -180.0..180.0, step: 60.0 })
-        .diagram(
-            Diagram::new("wheel angle in °")
-                .curve(Ink::Output, "reuleaux", curve(|m, state| m.angle(state).value.to_degrees()))
-                .circles("formula", exact(0, 180.0 / PI)),
-        )
-        .diagram(
-            Diagram::new("velocity in rad/s").curve(Ink::Output, "", curve(|m, state| m.angle(state).rate)).circles("", exact(1, m.speed)),
-        )
-        .diagram(
-            Diagram::new("acceleration in rad/s²")
-                .curve(Ink::Output, "", curve(|m, state| m.angle(state).acceleration))
-                .circles("", exact(2, m.speed * m.speed)),
-        )
 }
 
 /// Radius of the locking disc over the distance of the axes.

@@ -17,8 +17,9 @@ use std::error::Error;
 
 use reuleaux::nalgebra::Vector3;
 use reuleaux::picture::Drawable;
+use reuleaux::view::View;
 use reuleaux::{Integrator, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, seen, show, steps};
+use reuleaux_examples::{largest_difference, ring, show, steps};
 
 mechanism! {
     /// A governor with two balls and a loaded sleeve.
@@ -82,16 +83,24 @@ fn main() -> Result<(), Box<dyn Error>> {
     // The balls stay opposite to each other.
     let opposite = ends.iter().map(|(_, _, _, state)| (state.left().angular_velocity - state.right().angular_velocity).norm());
     assert!(largest_difference(opposite.map(|difference| (difference, 0.0))) < 1e-6);
-    println!("{}", picture(&ends)?.save("governor")?.display());
-    let governor = at(120.0);
-    let states: Vec<State> = governor.sweep(steps(0.0, 2.0, 240), Integrator::new(1e-9)).collect::<Result<_, _>>()?;
-    let view = governor
-        .view(states)
-        .trace("path of a ball", |state| governor.left(state).value)
-        .plot("height", "mm", |state| -500.0 * state.sleeve().position.z)
-        .and("(1 + M/m) g/ω²", |_| height(&governor) * 1e3);
-    show("governor", &view)?;
-    Ok(())
+    let governors = [100.0, 120.0, 160.0].map(at);
+    let [slow, usual, fast] = governors.map(|m| m.sweep(steps(0.0, 2.0, 240), Integrator::new(1e-9)).collect::<Result<Vec<State>, _>>());
+    let states: Vec<[State; 3]> = slow?.into_iter().zip(usual?).zip(fast?).map(|((slow, usual), fast)| [slow, usual, fast]).collect();
+    let rest = |m: Governor| move |states: &[State; 3]| if states[0].t < 2.0 { f64::NAN } else { height(&m) * 1e3 };
+    let view = View::new("Governor", states, |[_, state, _]| state.t, |[_, state, _]| governors[1].scene(state));
+    // The balls, as two great circles each.
+    let centre = Vector3::z() * -0.2;
+    let circles = [Vector3::x(), Vector3::y()].map(|axis| ring(&centre, &axis, 0.018));
+    let view = circles.into_iter().fold(view, |view, circle| view.outline("left", circle.clone()).outline("right", circle));
+    let view = view
+        .trace("path of a ball", |[_, state, _]| governors[1].left(state).value)
+        .plot("height at 100 rpm", "mm", |[state, _, _]| -500.0 * state.sleeve().position.z)
+        .and("120 rpm", |[_, state, _]| -500.0 * state.sleeve().position.z)
+        .and("160 rpm", |[_, _, state]| -500.0 * state.sleeve().position.z)
+        .against("at rest: (1 + M/m) g/ω²", rest(governors[0]))
+        .against("at rest: (1 + M/m) g/ω²", rest(governors[1]))
+        .against("at rest: (1 + M/m) g/ω²", rest(governors[2]));
+    show("governor", &view, 240, &[0, 20])
 }
 
 /// The state at a time.
@@ -99,53 +108,4 @@ fn settled(m: &Governor, time: f64) -> Result<State, Box<dyn Error>> {
     let mut state = m.initial_state()?;
     m.advance(&mut state, time, &mut Integrator::new(1e-9))?;
     Ok(state)
-}
-
-/// The height of the hinge above the balls over the first seconds.
-fn settling(m: &Governor) -> Result<Vec<(f64, f64)>, Box<dyn Error>> {
-    let (mut state, mut integrator) = (m.initial_state()?, Integrator::new(1e-9));
-    let mut curve = Vec::new();
-    for time in steps(0.0, 2.0, 200) {
-        m.advance(&mut state, time, &mut integrator)?;
-        curve.push((time, -500.0 * state.sleeve().position.z));
-    }
-    Ok(curve)
-}
-
-fn picture(ends: &[(f64, f64, f64, State)]) -> Result<Plate, Box<dyn Error>> {
-    let mut scene = Scene::new();
-    // Rotated about the spindle into one plane, for comparison.
-    for (_, found, _, _) in &ends[1..] {
-        scene.faint(|scene| draw(scene, *found));
-    }
-    draw(&mut scene, ends[3].1);
-    let mut diagram = Diagram::new("height in mm");
-    for (rpm, ink) in [(100.0, Ink::Output), (120.0, Ink::Coupler), (160.0, Ink::Input)] {
-        let name = if rpm < 110.0 {
-            "100 rpm"
-        } else if rpm < 130.0 {
-            "120 rpm"
-        } else {
-            "160 rpm"
-        };
-        diagram = diagram.curve(ink, name, settling(&at(rpm))?);
-    }
-    let rests = [100.0, 120.0, 160.0].map(|rpm| (2.0, 1e3 * height(&at(rpm))));
-    Ok(Plate::new("Governor", scene, Abscissa { name: "time in s", range: 0.0..2.0, step: 0.5 })
-        .diagram(diagram.circles("at rest: (1 + M/m) g/ω²", rests)))
-}
-
-fn draw(scene: &mut Scene, height: f64) {
-    let out = (0.2_f64 * 0.2 - height * height).sqrt();
-    let top = seen(&Vector3::zeros());
-    let sleeve = seen(&Vector3::new(0.0, 0.0, -2.0 * height));
-    let balls = [-1.0, 1.0].map(|side| seen(&Vector3::new(side * out, 0.0, -height)));
-    scene.link(Ink::Ground, &[seen(&Vector3::new(0.0, 0.0, 0.04)), seen(&Vector3::new(0.0, 0.0, -0.42))]);
-    for ball in balls {
-        scene.link(Ink::Coupler, &[top, ball]).link(Ink::Output, &[ball, sleeve]);
-    }
-    for ball in balls {
-        scene.disc(Ink::Input, ball, 0.018);
-    }
-    scene.pin(top).pin(sleeve);
 }

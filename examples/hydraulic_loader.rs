@@ -17,9 +17,7 @@ use std::error::Error;
 
 use reuleaux::mechanism;
 use reuleaux::picture::{Drawable, GROUND};
-use reuleaux_examples::{
-    Abscissa, Diagram, Ink, Place, Plate, Scene, apex, carried, largest_difference, on, place, rectangle, show, steps,
-};
+use reuleaux_examples::{Place, apex, carried, largest_difference, place, round, show, steps};
 
 mechanism! {
     /// A loader with two cylinders and two freedoms.
@@ -91,18 +89,19 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_triangles(&mechanism, &cycle);
     assert_reference()?;
     print(&mechanism, &cycle);
-    println!("{}", picture(&mechanism, &cycle).save("hydraulic_loader")?.display());
     let view = mechanism
         .view(cycle)
+        .title("Hydraulic loader")
         .outline(GROUND, CHASSIS.map(|[x, y]| place(x, y)))
+        .outline(GROUND, round(0.6).iter().map(|at| place(-0.55, -1.15) + at))
         .outline("bucket", BUCKET.map(|[x, y]| place(x, y)))
         .trace("path of the edge", |state| mechanism.edge(state).value)
-        .plot("lift", "m", |state| mechanism.lift_cylinder(state).value)
-        .and("tilt", |state| mechanism.tilt_cylinder(state).value)
+        .plot("lift cylinder", "m", |state| mechanism.lift_cylinder(state).value)
+        .and("tilt cylinder", |state| mechanism.tilt_cylinder(state).value)
         .plot("boom", "°", |state| state.boom().angle.to_degrees())
-        .and("bucket", |state| state.bucket().angle.to_degrees());
-    show("hydraulic_loader", &view)?;
-    Ok(())
+        .and("bucket", |state| state.bucket().angle.to_degrees())
+        .plot("speed of the edge", "m/s", |state| mechanism.edge(state).rate.norm());
+    show("hydraulic_loader", &view, 0, &[82, 180])
 }
 
 /// Position of the bucket's edge by triangles alone, for these lengths of the cylinders (m).
@@ -142,69 +141,4 @@ fn print(m: &Loader, cycle: &[State]) {
         let [lift, tilt] = [m.lift_cylinder(state), m.tilt_cylinder(state)].map(|length| length.value * 1e3);
         println!("{:6.1}   {lift:7.1}   {tilt:7.1}   {boom:6.2}   {bucket:8.2}   ({:.3}, {:.3})", state.t, edge.x, edge.y);
     }
-}
-
-fn picture(m: &Loader, cycle: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    scene.wall(place(-1.2, -1.75), place(3.6, -1.75));
-    chassis(&mut scene);
-    for index in [82, 180] {
-        scene.faint(|scene| draw(scene, m, &cycle[index]));
-    }
-    draw(&mut scene, m, &cycle[0]);
-    cylinders(&mut scene, m, &cycle[0]);
-    scene.line(Ink::Trace, cycle.iter().map(|state| m.edge(state).value));
-    name(&mut scene, m, &cycle[0]);
-
-    let over = |of: fn(&Loader, &State) -> f64| cycle.iter().map(move |state| (state.t, of(m, state)));
-    Plate::new("Hydraulic loader", scene, Abscissa { name: "time in s", range: 0.0..9.0, step: 1.0 })
-        .diagram(Diagram::new("cylinders in m").curve(Ink::Input, "lift", over(|m, state| m.lift_cylinder(state).value)).curve(
-            Ink::Second,
-            "tilt",
-            over(|m, state| m.tilt_cylinder(state).value),
-        ))
-        .diagram(Diagram::new("angles in °").curve(Ink::Coupler, "boom", over(|_, state| state.boom().angle.to_degrees())).curve(
-            Ink::Output,
-            "bucket",
-            over(|_, state| state.bucket().angle.to_degrees()),
-        ))
-        .diagram(Diagram::new("edge in m/s").curve(Ink::Trace, "", over(|m, state| m.edge(state).rate.norm())))
-}
-
-fn chassis(scene: &mut Scene) {
-    scene.surface(Ink::Ground, CHASSIS.map(|[x, y]| place(x, y)));
-    scene.disc(Ink::Ground, place(-0.55, -1.15), 0.6).disc(Ink::Ground, place(-0.55, -1.15), 0.22);
-}
-
-fn draw(scene: &mut Scene, m: &Loader, state: &State) {
-    let [p, l, t, b] = [m.P(state), m.L(state), m.T(state), m.B(state)].map(|point| point.value);
-    let [arm, k, q, s, r] = [m.M(state), m.K(state), m.Q(state), m.S(state), m.R(state)].map(|point| point.value);
-    scene.surface(Ink::Output, BUCKET.map(|[x, y]| on(&state.bucket(), place(x, y))));
-    scene.line(Ink::Input, [l, arm]).line(Ink::Second, [t, s]);
-    scene.link(Ink::Coupler, &[p, arm, k, q]);
-    scene.link(Ink::Second, &[r, b]);
-    scene.link(Ink::Second, &[s, k, r]);
-    for pin in [p, l, t, arm, k, q, s, r, b] {
-        scene.pin(pin);
-    }
-}
-
-/// The barrels, with the shortest length of each cylinder.
-fn cylinders(scene: &mut Scene, m: &Loader, state: &State) {
-    let lengths = [(Ink::Input, m.L(state), m.M(state), 0.85), (Ink::Second, m.T(state), m.S(state), 0.70)];
-    for (ink, foot, head, length) in lengths {
-        let along = (head.value - foot.value).normalize();
-        let middle = foot.value + along * length / 2.0;
-        scene.surface(ink, rectangle(middle, along.y.atan2(along.x), length, 0.12)).pin(foot.value);
-    }
-}
-
-fn name(scene: &mut Scene, m: &Loader, state: &State) {
-    let names = [(m.P(state), "P", [-14.0, 0.0]), (m.L(state), "L", [-14.0, 4.0]), (m.T(state), "T", [0.0, 14.0])];
-    let moving = [(m.M(state), "M", [-4.0, -16.0]), (m.K(state), "K", [16.0, 6.0]), (m.Q(state), "Q", [-2.0, -16.0])];
-    let further = [(m.S(state), "S", [4.0, 14.0]), (m.R(state), "R", [-12.0, -10.0]), (m.B(state), "B", [-4.0, 15.0])];
-    for (point, name, aside) in [names, moving, further].concat() {
-        scene.name(point.value, name, aside);
-    }
-    scene.name(m.edge(state).value, "E", [12.0, 2.0]);
 }

@@ -20,7 +20,7 @@ use std::error::Error;
 
 use reuleaux::mechanism;
 use reuleaux::picture::Drawable;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, largest_difference, place, polar, show, steps};
+use reuleaux_examples::{Place, apex, largest_difference, place, polar, show, steps};
 
 mechanism! {
     /// One leg, walking to the left.
@@ -89,15 +89,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_triangles(&leg, &turn);
     print_step(&leg, &turn);
     print(&leg, &turn);
-    println!("{}", picture(&leg, &turn).save("jansen_leg")?.display());
     let view = leg
         .view(turn)
+        .title("Theo Jansen's leg")
+        .over("crank, clockwise", "°", |state| -state.crank().angle.to_degrees())
         .trace("path of the foot", |state| leg.foot(state).value)
         .plot("height of the foot", "mm", |state| leg.foot(state).value.y * 1e3)
-        .and("triangles", |state| foot(&leg, state.crank().angle).y * 1e3)
-        .plot("velocity to the right", "m/s", |state| leg.foot(state).rate.x);
-    show("jansen_leg", &view)?;
-    Ok(())
+        .against("triangles", |state| foot(&leg, state.crank().angle).y * 1e3)
+        .plot("velocity to the right", "m/s", |state| leg.foot(state).rate.x)
+        .and("upwards", |state| leg.foot(state).rate.y);
+    show("jansen_leg", &view, 20, &[60, 90, 110])
 }
 
 /// Position of the foot by five triangles, for this crank angle (rad).
@@ -140,58 +141,4 @@ fn print(leg: &Leg, turn: &[State]) {
         let (x, y) = (foot.value.x * 1e3, foot.value.y * 1e3);
         println!("{:7.1}   {x:9.3}   {y:9.3}   ({:.1}, {:.1})", state.crank().angle.to_degrees(), foot.rate.x * 1e3, foot.rate.y * 1e3);
     }
-}
-
-fn picture(leg: &Leg, turn: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    let ground = turn.iter().map(|state| leg.foot(state).value.y).fold(f64::INFINITY, f64::min);
-    scene.wall(place(-0.095, ground), place(0.03, ground));
-    for index in [60, 90, 110] {
-        scene.faint(|scene| draw(scene, leg, &turn[index]));
-    }
-    let shown = &turn[20];
-    draw(&mut scene, leg, shown);
-    scene.line(Ink::Trace, turn.iter().map(|state| leg.foot(state).value));
-    let fixed = [
-        (leg.O(shown), "O", [4.0, 14.0]),
-        (leg.V(shown), "V", [14.0, -2.0]),
-        (leg.X(shown), "X", [13.0, 8.0]),
-        (leg.U(shown), "U", [0.0, 16.0]),
-    ];
-    let moving = [
-        (leg.W(shown), "W", [-15.0, 4.0]),
-        (leg.F(shown), "F", [-17.0, 0.0]),
-        (leg.C(shown), "C", [14.0, -10.0]),
-        (leg.foot(shown), "T", [14.0, 4.0]),
-    ];
-    for (point, name, aside) in [fixed, moving].concat() {
-        scene.name(point.value, name, aside);
-    }
-
-    let crank = |state: &State| -state.crank().angle.to_degrees();
-    let over = |of: fn(&Leg, &State) -> f64| turn.iter().map(move |state| (crank(state), of(leg, state)));
-    let exact = turn.iter().step_by(9).map(|state| (crank(state), foot(leg, state.crank().angle).y * 1e3));
-    Plate::new("Theo Jansen's leg", scene, Abscissa { name: "crank angle, clockwise, in °", range: 0.0..360.0, step: 60.0 })
-        .diagram(
-            Diagram::new("foot's height in mm")
-                .curve(Ink::Trace, "reuleaux", over(|leg, state| leg.foot(state).value.y * 1e3))
-                .circles("triangles", exact),
-        )
-        .diagram(Diagram::new("velocity in m/s").curve(Ink::Input, "to the right", over(|leg, state| leg.foot(state).rate.x)).curve(
-            Ink::Output,
-            "upwards",
-            over(|leg, state| leg.foot(state).rate.y),
-        ))
-}
-
-fn draw(scene: &mut Scene, leg: &Leg, state: &State) {
-    let [o, v, x, u] = [leg.O(state), leg.V(state), leg.X(state), leg.U(state)].map(|point| point.value);
-    let [w, c, f, t] = [leg.W(state), leg.C(state), leg.F(state), leg.foot(state)].map(|point| point.value);
-    scene.link(Ink::Coupler, &[v, u, w]).link(Ink::Output, &[f, c, t]);
-    scene.link(Ink::Second, &[x, u]).link(Ink::Second, &[x, c]).link(Ink::Second, &[v, c]).link(Ink::Second, &[w, f]);
-    scene.link(Ink::Input, &[o, x]);
-    for pin in [x, u, w, c, f, t] {
-        scene.pin(pin);
-    }
-    scene.pivot(o).pivot(v);
 }

@@ -1,33 +1,48 @@
-//! Drawing for the gallery. In: points in m, as solved by an example. Out: `gallery/<name>.svg`, the same bytes on every run.
+//! Shared code of the gallery: its files, shapes of bodies, and a little geometry.
 //!
-//! A [`Plate`] is one picture: a [`Scene`], the mechanism at a few phases with equal scales, and below it [`Diagram`]s with a common
-//! abscissa. Each example draws its own mechanism with the few shapes of a textbook: links, pins, pivots, walls.
+//! An example makes one [`View`] of its states, with the curves of points, the shapes of bodies and the diagrams of quantities beside
+//! independent results; [`show`] writes everything that the gallery shows of it, the same bytes on every run.
 
 use std::error::Error;
-use std::f64::consts::TAU;
 use std::path::Path;
 use std::{env, fs};
 
-use reuleaux::nalgebra::Vector3;
+use reuleaux::PlanarBody;
 use reuleaux::view::View;
-use reuleaux::{PlanarBody, SpatialBody};
 
-mod drawing;
+mod shapes;
 
-pub use drawing::{Abscissa, Diagram, Ink, Place, Plate, Scene, gear, meshing, place, polar, rectangle};
+pub use shapes::{Place, bevel, gear, meshing, place, polar, rectangle, ring, rod, round};
 
-/// Angle of view to the right (rad) of pictures in space.
-const SIDE: f64 = 0.6;
-/// Angle of view above the horizon (rad).
-const HEIGHT: f64 = 0.42;
 /// Size of a moving picture in the gallery, in bytes.
 const SIZE: usize = 30_000;
+
+/// Writes the pictures of a mechanism: the page with its diagrams beside the running program, the drawing in motion as
+/// `gallery/moving/<name>.svg`, and as `gallery/<name>.svg` the figure of one state above others, with the diagrams below it.
+///
+/// # Errors
+/// The reason why the states cannot be shown or a file cannot be written.
+pub fn show<S>(name: &str, view: &View<S>, state: usize, others: &[usize]) -> Result<(), Box<dyn Error>> {
+    figure(name, view, state, others)?;
+    play(name, view)
+}
+
+/// Writes a figure only, as `gallery/<name>.svg`.
+///
+/// # Errors
+/// The reason why the states cannot be shown or the file cannot be written.
+pub fn figure<S>(name: &str, view: &View<S>, state: usize, others: &[usize]) -> Result<(), Box<dyn Error>> {
+    let figure = Path::new(env!("CARGO_MANIFEST_DIR")).join("gallery").join(name).with_extension("svg");
+    fs::write(&figure, view.figure(state, others)?)?;
+    println!("{}", figure.display());
+    Ok(())
+}
 
 /// Writes a moving picture: the page with its plots beside the running program, and the drawing alone as `gallery/moving/<name>.svg`.
 ///
 /// # Errors
 /// The reason why the states cannot be shown or a file cannot be written.
-pub fn show<S>(name: &str, view: &View<S>) -> Result<(), Box<dyn Error>> {
+pub fn play<S>(name: &str, view: &View<S>) -> Result<(), Box<dyn Error>> {
     let page = env::current_exe()?.with_file_name(name).with_extension("html");
     view.write(&page)?;
     let drawing = Path::new(env!("CARGO_MANIFEST_DIR")).join("gallery/moving").join(name).with_extension("svg");
@@ -39,11 +54,6 @@ pub fn show<S>(name: &str, view: &View<S>) -> Result<(), Box<dyn Error>> {
 /// `count` + 1 numbers from `first` to `last` (both included) at equal steps.
 pub fn steps(first: f64, last: f64, count: u32) -> impl Iterator<Item = f64> + Clone {
     (0..=count).map(move |i| first + (last - first) * f64::from(i) / f64::from(count))
-}
-
-/// Corners of a circle of this radius (m) about the origin.
-pub fn round(radius: f64) -> Vec<Place> {
-    steps(0.0, TAU, 36).skip(1).map(|angle| polar(radius, angle)).collect()
 }
 
 /// Largest |a − b| of the pairs; NaN if any is NaN.
@@ -77,20 +87,6 @@ fn turned(a: Place, b: Place) -> Place {
     place(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x)
 }
 
-/// Projection of a point in space (m) into the picture: seen from the right in front and from above, z upwards, without perspective.
-pub fn seen(at: &Vector3<f64>) -> Place {
-    let ((sin, cos), (rise, fall)) = (SIDE.sin_cos(), HEIGHT.sin_cos());
-    place(cos * at.x + sin * at.y, rise * (cos * at.y - sin * at.x) + fall * at.z)
-}
-
-/// Projection of a circle of this radius (m) about `centre` in the plane normal to `axis`.
-pub fn ring(centre: &Vector3<f64>, axis: &Vector3<f64>, radius: f64) -> Vec<Place> {
-    let other = if axis.x.abs() < 0.6 * axis.norm() { Vector3::x() } else { Vector3::y() };
-    let one = axis.cross(&other).normalize();
-    let two = axis.cross(&one).normalize();
-    steps(0.0, TAU, 72).map(|angle| seen(&(centre + (one * angle.cos() + two * angle.sin()) * radius))).collect()
-}
-
 /// Nodes and weights of Gauss-Legendre quadrature from `from` to `to`: exact for polynomials up to the ninth degree.
 pub fn gauss(from: f64, to: f64) -> [(f64, f64); 5] {
     let (middle, half) = ((from + to) / 2.0, (to - from) / 2.0);
@@ -99,26 +95,4 @@ pub fn gauss(from: f64, to: f64) -> [(f64, f64); 5] {
     let [heavy, light] = [322.0 + part, 322.0 - part].map(|weight| weight / 900.0);
     [(-outer, light), (-inner, heavy), (0.0, 128.0 / 225.0), (inner, heavy), (outer, light)]
         .map(|(at, weight)| (middle + half * at, half * weight))
-}
-
-/// Rim of a bevel gear with its teeth, `back` (m) from the common apex in the frame of its body.
-pub fn crown(back: Vector3<f64>, radius: f64, teeth: u32) -> Vec<Vector3<f64>> {
-    let other = back.abs().normalize().cross(&Vector3::z());
-    let corner = |step: u32| {
-        let angle = TAU * f64::from(step) / f64::from(2 * teeth);
-        let at = radius * if step.is_multiple_of(2) { 1.07 } else { 0.93 };
-        back + (other * angle.cos() + Vector3::z() * angle.sin()) * at
-    };
-    (0..2 * teeth).map(corner).collect()
-}
-
-/// A bevel gear as its pitch cone: the circle at its back, `back` (m) from the common apex in its frame, and lines towards the apex.
-pub fn bevel(scene: &mut Scene, ink: Ink, body: &SpatialBody<f64>, back: Vector3<f64>, radius: f64, teeth: u32) {
-    let (height, axis) = (body.vector(back).value, back.abs().normalize());
-    scene.surface(ink, ring(&height, &body.vector(axis).value, radius));
-    let other = axis.cross(&Vector3::z());
-    for angle in steps(0.0, TAU * f64::from(teeth - 1) / f64::from(teeth), teeth - 1) {
-        let rim = body.point((other * angle.cos() + Vector3::z() * angle.sin()) * radius).value + height;
-        scene.line(ink, [seen(&rim), seen(&(rim * 0.7))]);
-    }
 }

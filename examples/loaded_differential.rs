@@ -25,8 +25,9 @@ use std::f64::consts::TAU;
 
 use reuleaux::nalgebra::{Matrix2, Vector2, Vector3};
 use reuleaux::picture::Drawable;
+use reuleaux::view::View;
 use reuleaux::{Integrator, SpatialBody, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, bevel, crown, gauss, ring, seen, show, steps};
+use reuleaux_examples::{bevel, figure, gauss, play, ring, rod, steps};
 
 mechanism! {
     /// A differential between two wheels with resistance proportional to speed.
@@ -77,21 +78,45 @@ fn main() -> Result<(), Box<dyn Error>> {
     let rest = speeds(&m, 1e3);
     assert!((rest - Vector2::new(m.torque / (2.0 * m.left_drag), m.torque / (2.0 * m.right_drag))).norm() < 1e-10);
     print(&m, &start);
-    println!("{}", picture(&m, &start).save("loaded_differential")?.display());
+    figure("loaded_differential", &view(&m, start), 20, &[])?;
     // The first turn of the cage.
     let begin: Vec<State> = m.sweep(steps(0.0, 0.5, 120), Integrator::new(1e-11)).collect::<Result<_, _>>()?;
-    let view = m
-        .view(begin)
-        .outline("left", crown(Vector3::y() * RADII[0], RADII[1], 16))
-        .outline("right", crown(-Vector3::y() * RADII[0], RADII[1], 16))
-        .outline("planet", crown(Vector3::x() * RADII[1], RADII[0], 10))
+    play("loaded_differential", &view(&m, begin))
+}
+
+fn view(m: &Loaded, states: Vec<State>) -> View<State> {
+    m.view(states)
+        .title("Differential under load")
+        .outline("left", bevel(Vector3::y() * RADII[0], RADII[1], 16))
+        .outline("left", ring(&(Vector3::y() * 0.6 * RADII[0]), &Vector3::y(), 0.6 * RADII[1]))
+        .outline("left", rod(Vector3::y() * 0.1, Vector3::x() * 0.003))
+        .outline("left", rod(Vector3::y() * 0.1, Vector3::z() * 0.003))
+        .outline("right", bevel(-Vector3::y() * RADII[0], RADII[1], 16))
+        .outline("right", ring(&(-Vector3::y() * 0.6 * RADII[0]), &Vector3::y(), 0.6 * RADII[1]))
+        .outline("right", rod(-Vector3::y() * 0.1, Vector3::x() * 0.003))
+        .outline("right", rod(-Vector3::y() * 0.1, Vector3::z() * 0.003))
+        .outline("left", ring(&(Vector3::y() * 0.1), &Vector3::y(), 0.055))
+        .outline("left", ring(&(Vector3::y() * 0.1), &Vector3::y(), 0.045))
+        .outline("right", ring(&(-Vector3::y() * 0.1), &Vector3::y(), 0.055))
+        .outline("right", ring(&(-Vector3::y() * 0.1), &Vector3::y(), 0.045))
+        .outline("planet", bevel(Vector3::x() * RADII[1], RADII[0], 10))
+        .outline("planet", ring(&(Vector3::x() * 0.6 * RADII[1]), &Vector3::x(), 0.6 * RADII[0]))
         .plot("left, on asphalt", "rpm", |state| found(state)[0][0] * 60.0 / TAU)
         .and("right, on ice", |state| found(state)[0][1] * 60.0 / TAU)
-        .and("closed form", |state| speeds(&m, state.t).y * 60.0 / TAU)
-        .plot("share on the left", "N m", |state| shares(&m, state)[0])
-        .and("on the right", |state| shares(&m, state)[1]);
-    show("loaded_differential", &view)?;
-    Ok(())
+        .and("cage", |state| found(state)[0][2] * 60.0 / TAU)
+        .against("matrix exponential", |state| speeds(m, state.t).x * 60.0 / TAU)
+        .against("matrix exponential", |state| speeds(m, state.t).y * 60.0 / TAU)
+        .plot("share on the left", "N m", |state| shares(m, state)[0])
+        .and("on the right", |state| shares(m, state)[1])
+        .and("half of the engine's torque", |_| m.torque / 2.0)
+        .against("wheel cut free", |state| needed(m, state.t)[0])
+        .against("wheel cut free", |state| needed(m, state.t)[1])
+}
+
+/// Torques (N m) that accelerate the wheels, cut free, against their drags.
+fn needed(m: &Loaded, t: f64) -> [f64; 2] {
+    let (speeds, rise) = (speeds(m, t), accelerations(m, speeds(m, t)) * WHEEL);
+    [rise.x + m.left_drag * speeds.x, rise.y + m.right_drag * speeds.y]
 }
 
 /// The motion from rest, with the work of engine and road compared with the kinetic energy.
@@ -187,54 +212,4 @@ fn print(m: &Loaded, start: &[State]) {
         let ([left, right], rpm) = (shares(m, state), speeds.map(|speed| speed * 60.0 / TAU));
         println!("{:6.1}   {:8.2}   {:9.2}   {:8.2}   {left:8.3}   {right:9.3}", state.t, rpm[0], rpm[1], rpm[2]);
     }
-}
-
-fn picture(m: &Loaded, start: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    // Shown at an instant at which the planet is on top.
-    let height = |state: &&State| state.cage().vector(Vector3::x()).value.z;
-    start.iter().max_by(|one, two| height(one).total_cmp(&height(two))).into_iter().for_each(|state| draw(&mut scene, state));
-    let rpm = |which: usize| start.iter().map(move |state| (state.t, found(state)[0][which] * 60.0 / TAU));
-    let share = |which: usize| start.iter().map(move |state| (state.t, shares(m, state)[which]));
-    let few = || start.iter().step_by(5).map(|state| state.t);
-    let wheels = few().flat_map(|t| [speeds(m, t).x, speeds(m, t).y].map(|speed| (t, speed * 60.0 / TAU)));
-    let needed = few().flat_map(|t| {
-        let rise = accelerations(m, speeds(m, t)) * WHEEL;
-        [(t, rise.x + m.left_drag * speeds(m, t).x), (t, rise.y + m.right_drag * speeds(m, t).y)]
-    });
-    Plate::new("Differential under load", scene, Abscissa { name: "time in s", range: 0.0..10.0, step: 2.0 })
-        .diagram(
-            Diagram::new("speed in rpm")
-                .curve(Ink::Second, "left, on asphalt", rpm(0))
-                .curve(Ink::Output, "right, on ice", rpm(1))
-                .curve(Ink::Ground, "cage", rpm(2))
-                .circles("matrix exponential", wheels),
-        )
-        .diagram(
-            Diagram::new("share in N m")
-                .curve(Ink::Second, "left", share(0))
-                .curve(Ink::Output, "right", share(1))
-                .curve(Ink::Ground, "half of the engine's torque", [(0.0, m.torque / 2.0), (10.0, m.torque / 2.0)])
-                .circles("wheel cut free", needed),
-        )
-}
-
-/// Bevel gears as pitch cones; the wheels are drawn small.
-fn draw(scene: &mut Scene, state: &State) {
-    let (x, y) = (Vector3::x(), Vector3::y());
-    let wheel = |side: f64| {
-        let middle = y * side * 0.1;
-        [0.055, 0.045].map(|radius| ring(&middle, &y, radius))
-    };
-    let axle = |side: f64, to: f64| [y * side * RADII[0], y * side * to].map(|place| seen(&place));
-    let [tyre, rim] = wheel(1.0);
-    scene.surface(Ink::Second, tyre).surface(Ink::Second, rim).link(Ink::Second, &axle(1.0, 0.1));
-    bevel(scene, Ink::Second, &state.left(), y * RADII[0], RADII[1], 16);
-    bevel(scene, Ink::Input, &state.planet(), x * RADII[1], RADII[0], 10);
-    bevel(scene, Ink::Output, &state.right(), -y * RADII[0], RADII[1], 16);
-    scene.link(Ink::Output, &axle(-1.0, 0.1));
-    let [tyre, rim] = wheel(-1.0);
-    scene.surface(Ink::Output, tyre).surface(Ink::Output, rim);
-    let [left, right] = [1.0, -1.0].map(|side| seen(&(y * side * 0.1)));
-    scene.name(left, "left", [100.0, -40.0]).name(right, "right", [-102.0, 40.0]);
 }

@@ -22,7 +22,7 @@ use std::error::Error;
 use reuleaux::mechanism;
 use reuleaux::nalgebra::Vector2;
 use reuleaux::picture::Drawable;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, show, steps};
+use reuleaux_examples::{largest_difference, round, show, steps};
 
 mechanism! {
     /// A crank-rocker whose links have masses.
@@ -83,17 +83,25 @@ fn main() -> Result<(), Box<dyn Error>> {
         let force = |turn: &Turn| turn.shaking[k].1.norm();
         println!("{angle:7.1}   {torque:10.4}   {:8.3}   {:8.3}   {:8.1e}", force(&plain), force(&half), force(&balanced));
     }
-    println!("{}", picture(&plain, &half, &balanced)?.save("loads")?.display());
     let mechanism = Loaded { crank_weight: WEIGHTS[0], rocker_weight: WEIGHTS[1], ..Default::default() };
-    let states = mechanism.sweep(steps(0.0, 0.2, 120)).collect::<Result<Vec<LoadedState<f64>>, _>>()?;
+    let states = mechanism.sweep(steps(0.0, 0.2, 360)).collect::<Result<Vec<LoadedState<f64>>, _>>()?;
+    let at = |state: &State| state.crank().angle.to_degrees().round() as usize % 360;
     let view = mechanism
         .view(states)
+        .title("Loads of a four-bar")
+        .over("crank", "°", |state| state.crank().angle.to_degrees())
+        .outline("on_crank", round(0.008))
+        .outline("on_rocker", round(0.011))
         .trace("path of A", |state| mechanism.A(state).value)
-        .plot("bearing O", "N", |state| mechanism.loads(state).o().force.norm())
-        .and("bearing C", |state| mechanism.loads(state).c().force.norm())
-        .plot("motor torque", "N m", |state| mechanism.loads(state).motor().effort);
-    show("loads", &view)?;
-    Ok(())
+        .plot("shaking force, plain", "N", |state| plain.shaking[at(state)].1.norm())
+        .and("with half the weights", |state| half.shaking[at(state)].1.norm())
+        .and("balanced", |state| balanced.shaking[at(state)].1.norm())
+        .plot("motor torque, plain", "N m", |state| plain.torque[at(state)].1)
+        .and("with half the weights", |state| half.torque[at(state)].1)
+        .and("balanced", |state| mechanism.loads(state).motor().effort)
+        .plot("bearing O, balanced", "N", |state| mechanism.loads(state).o().force.norm())
+        .and("bearing C", |state| mechanism.loads(state).c().force.norm());
+    show("loads", &view, 54, &[])
 }
 
 /// A turn with this share of the balancing weights.
@@ -115,34 +123,4 @@ fn turn(share: f64) -> Result<Turn, Box<dyn Error>> {
 /// Largest shaking force, in N.
 fn largest(turn: &Turn) -> f64 {
     turn.shaking.iter().map(|(_, force)| force.norm()).fold(0.0, f64::max)
-}
-
-fn picture(plain: &Turn, half: &Turn, balanced: &Turn) -> Result<Plate, Box<dyn Error>> {
-    let mechanism = Loaded { crank_weight: WEIGHTS[0], rocker_weight: WEIGHTS[1], ..Default::default() };
-    let state = mechanism.solve(0.03)?;
-    let mut scene = Scene::new();
-    draw(&mut scene, &mechanism, &state);
-    let force = |turn: &Turn| turn.shaking.iter().map(|(angle, force)| (*angle, force.norm())).collect::<Vec<_>>();
-    Ok(Plate::new("Loads of a four-bar", scene, Abscissa { name: "crank angle in °", range: 0.0..360.0, step: 60.0 })
-        .diagram(
-            Diagram::new("shaking force in N")
-                .curve(Ink::Input, "without weights", force(plain))
-                .curve(Ink::Coupler, "with half of them", force(half))
-                .curve(Ink::Output, "balanced", force(balanced)),
-        )
-        .diagram(
-            Diagram::new("motor torque in N m")
-                .curve(Ink::Input, "", plain.torque.clone())
-                .curve(Ink::Coupler, "", half.torque.clone())
-                .curve(Ink::Output, "", balanced.torque.clone()),
-        ))
-}
-
-fn draw(scene: &mut Scene, m: &Loaded, state: &State) {
-    let [a, b] = [m.A(state), m.B(state)].map(|point| point.value);
-    let (o, c) = (state.crank().position, state.rocker().position);
-    let [first, second] = [state.on_crank().position, state.on_rocker().position];
-    scene.link(Ink::Coupler, &[a, b]).link(Ink::Input, &[first, o, a]).link(Ink::Output, &[second, c, b]);
-    scene.disc(Ink::Input, first, 0.008).disc(Ink::Output, second, 0.011);
-    scene.pin(a).pin(b).pivot(o).pivot(c);
 }

@@ -18,7 +18,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use reuleaux::picture::Drawable;
 use reuleaux::{Real, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, largest_difference, place, polar, rectangle, show, steps};
+use reuleaux_examples::{largest_difference, show, steps};
 
 /// The lift at 0°, 15°, … 345° as read, in mm.
 const MEASURED: [f64; 24] = [
@@ -91,16 +91,25 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_harmonics(&mechanism, &turn);
     print_errors(&mechanism, &turn);
     print(&mechanism, &turn);
-    println!("{}", picture(&mechanism, &turn).save("measured_cam")?.display());
     let view = mechanism
         .view(turn)
+        .title("Measured cam with flat follower")
+        .over("cam", "°", |state| state.cam().angle.to_degrees())
         .plot("lift by harmonics", "mm", |state| mechanism.smooth_lift(state).value * 1e3)
         .and("by a spline", |state| mechanism.spline_lift(state).value * 1e3)
+        .against("as read", read)
         .plot("acceleration by harmonics", "m/s²", |state| mechanism.smooth_lift(state).acceleration)
         .and("by a spline", |state| mechanism.spline_lift(state).acceleration)
-        .and("exact law", |state| law(&mechanism, seen(state)).1);
-    show("measured_cam", &view)?;
-    Ok(())
+        .against("exact law", |state| law(&mechanism, seen(state)).1)
+        .plot("error of the harmonics", "m/s²", |state| mechanism.smooth_lift(state).acceleration - law(&mechanism, seen(state)).1)
+        .and("of the spline", |state| mechanism.spline_lift(state).acceleration - law(&mechanism, seen(state)).1);
+    show("measured_cam", &view, 55, &[])
+}
+
+/// The reading of the dial (mm), at every 15° of the cam.
+fn read(state: &State) -> f64 {
+    let place = state.cam().angle.to_degrees() / 15.0;
+    if (place - place.round()).abs() < 1e-6 { MEASURED[(30 - place.round() as usize) % 24] } else { f64::NAN }
 }
 
 /// Angle of the follower's normal in the cam (rad), which decreases as the cam rotates.
@@ -153,57 +162,4 @@ fn print(m: &MeasuredCam, turn: &[State]) {
             spline.acceleration
         );
     }
-}
-
-fn picture(m: &MeasuredCam, turn: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    let shown = &turn[55];
-    let (angle, lift) = (shown.cam().angle, m.smooth_lift(shown));
-    let [low, high] = [0.046, 0.056].map(|y| move |x: f64| place(x, y));
-    scene.wall(low(0.0055), high(0.0055)).wall(high(-0.0055), low(-0.0055));
-    scene.faint(|scene| {
-        scene.surface(Ink::Input, outline(0.0));
-    });
-    scene.surface(Ink::Input, outline(angle));
-    for index in 0..24 {
-        let psi = f64::from(index) * TAU / 24.0;
-        scene.line(Ink::Ground, [polar(0.0255, psi + angle), polar(0.027, psi + angle)]);
-    }
-    scene.surface(Ink::Output, rectangle(place(0.0, lift.value + 0.014), 0.0, 0.0095, 0.028));
-    scene.surface(Ink::Output, rectangle(place(0.0, lift.value + 0.001), 0.0, 0.028, 0.002));
-    // The contact point is offset by h' from the middle of the face.
-    scene.pin(place(-harmonics(seen(shown)).1, lift.value)).pivot(place(0.0, 0.0));
-
-    let over = |of: fn(&MeasuredCam, &State) -> f64| turn.iter().map(move |state| (state.cam().angle.to_degrees(), of(m, state)));
-    let read = (0..=24).map(|index: u8| (f64::from(index) * 15.0, MEASURED[usize::from((30 - index) % 24)]));
-    let errors = |of: fn(&MeasuredCam, &State) -> f64| {
-        turn.iter().map(move |state| (state.cam().angle.to_degrees(), of(m, state) - law(m, seen(state)).1))
-    };
-    Plate::new("Measured cam with flat follower", scene, Abscissa { name: "cam angle in °", range: 0.0..360.0, step: 60.0 })
-        .diagram(
-            Diagram::new("lift in mm")
-                .curve(Ink::Output, "harmonics", over(|m, state| m.smooth_lift(state).value * 1e3))
-                .circles("as read", read),
-        )
-        .diagram(
-            Diagram::new("acceleration in m/s²").curve(Ink::Second, "spline", over(|m, state| m.spline_lift(state).acceleration)).curve(
-                Ink::Output,
-                "harmonics",
-                over(|m, state| m.smooth_lift(state).acceleration),
-            ),
-        )
-        .diagram(Diagram::new("its error in m/s²").curve(Ink::Second, "", errors(|m, state| m.spline_lift(state).acceleration)).curve(
-            Ink::Output,
-            "",
-            errors(|m, state| m.smooth_lift(state).acceleration),
-        ))
-}
-
-/// The cam's outline, rotated by `angle` (rad): the envelope of the tangents at the distances h(ψ).
-fn outline(angle: f64) -> Vec<Place> {
-    let point = |psi: f64| {
-        let (h, slope, _) = harmonics(psi);
-        polar(h, psi + angle) + polar(slope, psi + angle + FRAC_PI_2)
-    };
-    steps(0.0, TAU, 144).map(point).collect()
 }

@@ -13,11 +13,11 @@
 //! Source: R. Willis, Principles of Mechanism, 1841; H. W. Müller, Epicyclic Drive Trains.
 
 use std::error::Error;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use reuleaux::mechanism;
 use reuleaux::picture::Drawable;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, gear, largest_difference, meshing, polar, show, steps};
+use reuleaux_examples::{Place, largest_difference, polar, show, steps};
 
 mechanism! {
     /// Sun and ring are driven; the carrier follows.
@@ -73,16 +73,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     print_ratios()?;
     assert_hypocycloid(&mechanism, &turn);
     assert_rolling(&turn);
-    println!("{}", picture(&mechanism, &turn).save("planetary")?.display());
+    // Per turn of the carrier a planet makes 10/3 turns relative to it, so that three turns of the carrier close the curve.
+    let closed: Vec<State> = mechanism.sweep(steps(0.0, 3.0, 720)).collect::<Result<_, _>>()?;
     let view = mechanism
-        .view(turn)
+        .view(closed)
+        .title("Planetary gear")
+        .over("carrier", "°", |state| state.carrier().angle.to_degrees())
         .trace("hypocycloid", |state| mechanism.P(state).value)
         .plot("sun", "turns", |state| state.sun().angle / TAU)
         .and("carrier", |state| state.carrier().angle / TAU)
         .and("planet", |state| state.a().angle / TAU)
         .plot("speed of P", "m/s", |state| mechanism.P(state).rate.norm());
-    show("planetary", &view)?;
-    Ok(())
+    show("planetary", &view, 44, &[])
 }
 
 /// The four gears of the gearbox, each with its ratio from textbook tables.
@@ -123,49 +125,4 @@ fn assert_rolling(turn: &[State]) {
         let velocity = planet.velocity + Place::new(-arm.y, arm.x) * planet.angular_velocity;
         assert!(velocity.norm() < 1e-14);
     }
-}
-
-fn picture(m: &Planetary, turn: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    draw(&mut scene, &turn[66]);
-    // Per turn of the carrier a planet makes 10/3 turns relative to it, so that three turns of the carrier close the curve.
-    scene.line(Ink::Trace, steps(0.0, 3.0 * TAU, 400).map(hypocycloid));
-    scene.pin(m.P(&turn[66]).value).name(m.P(&turn[66]).value, "P", [12.0, 0.0]);
-
-    let angle = |state: &State| state.carrier().angle.to_degrees();
-    let over = |of: fn(&Planetary, &State) -> f64| turn.iter().map(move |state| (angle(state), of(m, state)));
-    let turns = |of: fn(&State) -> f64| turn.iter().map(move |state| (angle(state), of(state) / TAU));
-    Plate::new("Planetary gear", scene, Abscissa { name: "carrier angle in °", range: 0.0..360.0, step: 60.0 })
-        .diagram(
-            Diagram::new("turns")
-                .curve(Ink::Input, "sun", turns(|state| state.sun().angle))
-                .curve(Ink::Output, "carrier", turns(|state| state.carrier().angle))
-                .curve(Ink::Second, "planet", turns(|state| state.a().angle)),
-        )
-        .diagram(Diagram::new("speed of P in m/s").curve(Ink::Trace, "", over(|m, state| m.P(state).rate.norm())))
-}
-
-fn draw(scene: &mut Scene, state: &State) {
-    let [sun, planet, ring] = TEETH;
-    let carrier = state.carrier();
-    scene.disc(Ink::Ground, carrier.position, ring * MODULE / 2.0 + 3.0 * MODULE);
-    // Relative to the carrier, each planet has a tooth at 0 in the assembled configuration.
-    let inner = meshing(0.0, planet, -ring, 0.0) + PI;
-    scene.surface(Ink::Hole, gear(carrier.position, 60, -MODULE, state.ring().angle + inner));
-    for (k, body) in [state.a(), state.b(), state.c()].into_iter().enumerate() {
-        let direction = k as f64 * TAU / 3.0;
-        let tooth = meshing(direction, sun, planet, sun_tooth());
-        scene.surface(Ink::Second, gear(body.position, 18, MODULE, body.angle + tooth));
-    }
-    scene.surface(Ink::Input, gear(carrier.position, 24, MODULE, state.sun().angle + sun_tooth()));
-    let pins = [state.a(), state.b(), state.c()].map(|body| body.position);
-    for pin in pins {
-        scene.link(Ink::Output, &[carrier.position, pin]).pin(pin);
-    }
-    scene.pivot(carrier.position);
-}
-
-/// Angle of a tooth of the sun (rad) such that planet `a` has one in the direction of its own x axis.
-fn sun_tooth() -> f64 {
-    PI / 24.0
 }

@@ -21,7 +21,7 @@ use std::f64::consts::PI;
 
 use reuleaux::mechanism;
 use reuleaux::picture::Drawable;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, place, polar, rectangle, show, steps};
+use reuleaux_examples::{largest_difference, place, polar, show, steps};
 
 mechanism! {
     /// A shaper that cuts to the left.
@@ -70,15 +70,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_travel(&mechanism, &turn);
     assert_time_ratio(&mechanism)?;
     print(&mechanism, &turn);
-    println!("{}", picture(&mechanism, &turn).save("quick_return")?.display());
     let view = mechanism
         .view(turn)
+        .title("Quick return of a shaper")
+        .over("crank", "°", |state| state.crank().angle.to_degrees())
         .trace("path of E", |state| mechanism.E(state).value)
         .plot("travel", "mm", |state| mechanism.travel(state).value * 1e3)
-        .and("closed form", |state| closed_form(&mechanism, state.crank().angle).1 * 1e3)
+        .against("closed form", |state| closed_form(&mechanism, state.crank().angle).1 * 1e3)
         .plot("cutter", "m/s", |state| mechanism.travel(state).rate);
-    show("quick_return", &view)?;
-    Ok(())
+    show("quick_return", &view, 10, &[60, 90, 120])
 }
 
 /// Angle of the bar (rad) and travel of the cutter (m) at the crank's angle φ (rad).
@@ -116,39 +116,4 @@ fn print(m: &Shaper, turn: &[State]) {
         let (crank, bar, travel) = (state.crank().angle, state.bar().angle, m.travel(state));
         println!("{:7.1}   {:7.3}   {:9.3}   {:10.4}", crank.to_degrees(), bar.to_degrees(), travel.value * 1e3, travel.rate);
     }
-}
-
-fn picture(m: &Shaper, turn: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    scene.wall(place(-0.62, m.bar_length - 0.02), place(0.12, m.bar_length - 0.02));
-    for state in turn.iter().step_by(30).skip(2) {
-        scene.faint(|scene| draw(scene, m, state));
-    }
-    let shown = &turn[10];
-    scene.line(Ink::Trace, turn.iter().map(|state| m.E(state).value));
-    draw(&mut scene, m, shown);
-    let [o, c, k, e, t] = [m.O(shown), m.C(shown), m.K(shown), m.E(shown), m.T(shown)].map(|point| point.value);
-    scene.name(o, "O", [-16.0, 4.0]).name(c, "C", [-16.0, 4.0]).name(k, "K", [18.0, -4.0]).name(e, "E", [15.0, 6.0]).name(
-        t,
-        "T",
-        [0.0, 20.0],
-    );
-
-    let crank = |state: &State| state.crank().angle.to_degrees();
-    let over = |of: fn(&Shaper, &State) -> f64| turn.iter().map(move |state| (crank(state), of(m, state)));
-    let exact = turn.iter().step_by(9).map(|state| (crank(state), closed_form(m, state.crank().angle).1 * 1e3));
-    Plate::new("Quick return of a shaper", scene, Abscissa { name: "crank angle in °", range: 0.0..360.0, step: 60.0 })
-        .diagram(
-            Diagram::new("travel in mm")
-                .curve(Ink::Output, "reuleaux", over(|m, state| m.travel(state).value * 1e3))
-                .circles("closed form", exact),
-        )
-        .diagram(Diagram::new("cutter in m/s").curve(Ink::Output, "", over(|m, state| m.travel(state).rate)))
-}
-
-fn draw(scene: &mut Scene, m: &Shaper, state: &State) {
-    let [o, c, k, e, t] = [m.O(state), m.C(state), m.K(state), m.E(state), m.T(state)].map(|point| point.value);
-    scene.surface(Ink::Output, rectangle(t, 0.0, 0.09, 0.038)).link(Ink::Second, &[e, t]);
-    scene.link(Ink::Coupler, &[o, e]).surface(Ink::Second, rectangle(k, state.bar().angle, 0.05, 0.03));
-    scene.link(Ink::Input, &[c, k]).pin(k).pin(e).pin(t).pivot(o).pivot(c);
 }

@@ -1,10 +1,10 @@
 //! A windscreen wiper: a crank moves a rack to and fro, and the rack turns the wiper's pinion.
 //!
 //! ```text
-//!                         \ wiper
-//!       A                  (o) pinion, radius R
-//! crank(o)──rod──[B]▔▔▔▔▔▔▔▔▔▔▔▔ rack     OA = r, AB = l
-//!   (o)═══════════════════════════════
+//!                          │ wiper
+//!       A                  │
+//! crank(o)──rod──[B]▁▁▁▁▁▁▁│▁▁▁▁▁▁▁ rack     OA = r, AB = l
+//!   (o)═══════════════    (o) pinion, radius R
 //!    O
 //! ```
 //!
@@ -18,7 +18,7 @@ use std::f64::consts::PI;
 
 use reuleaux::mechanism;
 use reuleaux::picture::Drawable;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, gear, largest_difference, place, show, steps};
+use reuleaux_examples::{largest_difference, show, steps};
 
 mechanism! {
     /// A wiper that is upright in the middle of the stroke.
@@ -32,7 +32,7 @@ mechanism! {
 
         ground {
             point O = (0mm, 0mm);
-            point D = (rod_length + 80mm, radius);
+            point D = (rod_length + 80mm, -radius);
             axis way = (1, 0);
         }
         body crank { point O = (0mm, 0mm);  point A = (crank_length, 0mm); }
@@ -65,15 +65,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_swing(&mechanism, &turn)?;
     assert_rolling(&mechanism, &turn);
     print(&turn);
-    println!("{}", picture(&mechanism, &turn).save("rack_pinion")?.display());
     let view = mechanism
         .view(turn)
+        .title("Rack and pinion of a wiper")
+        .over("crank", "°", |state| state.crank().angle.to_degrees())
         .trace("path of W", |state| mechanism.W(state).value)
         .plot("wiper", "°", |state| state.wiper().angle.to_degrees())
-        .and("closed form", |state| closed_form(&mechanism, state.crank().angle).to_degrees())
-        .plot("velocity", "rad/s", |state| state.wiper().angular_velocity);
-    show("rack_pinion", &view)?;
-    Ok(())
+        .against("closed form", |state| closed_form(&mechanism, state.crank().angle).to_degrees())
+        .plot("velocity of the wiper", "rad/s", |state| state.wiper().angular_velocity)
+        .plot("acceleration of the wiper", "rad/s²", |state| state.wiper().angular_acceleration);
+    show("rack_pinion", &view, 22, &[0, 60, 90])
 }
 
 /// The wiper's angle (rad) at the crank's angle φ (rad).
@@ -111,61 +112,4 @@ fn print(turn: &[State]) {
             wiper.angular_acceleration
         );
     }
-}
-
-fn picture(m: &Wiper, turn: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    scene.wall(place(0.075, -0.014), place(0.28, -0.014));
-    for state in turn.iter().step_by(15).take(7) {
-        scene.faint(|scene| {
-            scene.line(Ink::Output, [m.D(state).value, m.W(state).value]);
-        });
-    }
-    let shown = &turn[22];
-    draw(&mut scene, m, shown);
-    scene.line(Ink::Trace, turn.iter().take(91).map(|state| m.W(state).value));
-    let [o, a, b, d, w] = [m.O(shown), m.A(shown), m.B(shown), m.D(shown), m.W(shown)].map(|point| point.value);
-    scene.name(o, "O", [-16.0, 2.0]).name(a, "A", [0.0, 17.0]).name(b, "B", [0.0, 17.0]).name(d, "D", [22.0, 8.0]).name(
-        w,
-        "W",
-        [14.0, 8.0],
-    );
-
-    let crank = |state: &State| state.crank().angle.to_degrees();
-    let over = |of: fn(&State) -> f64| turn.iter().map(move |state| (crank(state), of(state)));
-    let exact = turn.iter().step_by(9).map(|state| (crank(state), closed_form(m, state.crank().angle).to_degrees()));
-    Plate::new("Rack and pinion of a wiper", scene, Abscissa { name: "crank angle in °", range: 0.0..360.0, step: 60.0 })
-        .diagram(
-            Diagram::new("wiper in °")
-                .curve(Ink::Output, "reuleaux", over(|state| state.wiper().angle.to_degrees()))
-                .circles("closed form", exact),
-        )
-        .diagram(Diagram::new("velocity in rad/s").curve(Ink::Output, "", over(|state| state.wiper().angular_velocity)))
-        .diagram(Diagram::new("acceleration in rad/s²").curve(Ink::Output, "", over(|state| state.wiper().angular_acceleration)))
-}
-
-fn draw(scene: &mut Scene, m: &Wiper, state: &State) {
-    let [o, a, b, d, w] = [m.O(state), m.A(state), m.B(state), m.D(state), m.W(state)].map(|point| point.value);
-    let module = 2.0 * m.radius / 20.0;
-    scene.surface(Ink::Coupler, rack(b, module));
-    scene.link(Ink::Output, &[d, w]);
-    // With the wiper upright, the rack's pin is 80 mm before the pinion; there the rack has a tooth and the pinion a space.
-    let below = -PI / 2.0 + PI / 20.0 - (0.08 - 0.02) / m.radius;
-    scene.surface(Ink::Output, gear(d, 20, module, state.wiper().angle + below));
-    scene.link(Ink::Second, &[a, b]).link(Ink::Input, &[o, a]);
-    scene.pin(a).pin(b).pin(w).pivot(o).pin(d);
-}
-
-/// Outline of a rack with its pitch line through `pin` and its first tooth 20 mm behind it.
-fn rack(pin: Place, module: f64) -> Vec<Place> {
-    let pitch = PI * module;
-    let lean = 20_f64.to_radians().tan() * module;
-    let tooth = |k: i32| {
-        let (middle, half) = (0.02 + f64::from(k) * pitch, pitch / 4.0);
-        let (foot, tip) = (half + 1.2 * lean, half - lean);
-        [(middle - foot, -1.2), (middle - tip, 1.0), (middle + tip, 1.0), (middle + foot, -1.2)].map(|(x, y)| place(x, y * module))
-    };
-    let (teeth, [low, right]) = ((0..16).flat_map(tooth), [-0.012, 0.02 + 15.6 * pitch]);
-    let bar = [place(right, low), place(-0.012, low), place(-0.012, 0.0)];
-    teeth.chain(bar).map(|corner| pin + corner).collect()
 }

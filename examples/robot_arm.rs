@@ -25,7 +25,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use reuleaux::nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use reuleaux::picture::Drawable;
 use reuleaux::{Motion, SpatialBody, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, seen, show, steps};
+use reuleaux_examples::{show, steps};
 
 mechanism! {
     /// A UR5 with a motor in each hinge.
@@ -127,17 +127,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         assert_forwards(&led.arm_angle(state), &led.tool(state));
     }
     print(&led, &circle);
-    println!("{}", picture(&led, &circle).save("robot_arm")?.display());
-    let view = led
-        .view(circle)
-        .trace("path of the tool", |state| led.tool(state).position)
-        .plot("hinge 1", "°", |state| led.arm_angle(state)[0].value.to_degrees())
-        .and("hinge 2", |state| led.arm_angle(state)[1].value.to_degrees())
-        .and("hinge 3", |state| led.arm_angle(state)[2].value.to_degrees())
-        .plot("x of the tool", "mm", |state| led.tool(state).position.x * 1e3)
-        .and("wanted", |state| wanted(state.t)[0].x * 1e3);
-    show("robot_arm", &view)?;
-    Ok(())
+    let view = led.view(circle).title("Robot arm, led by its tool").trace("path of the tool", |state| led.tool(state).position);
+    let view = view.plot("hinge 1", "°", |state| led.arm_angle(state)[0].value.to_degrees());
+    let view = (1..6).fold(view, |view, k| view.and(&(k + 1).to_string(), |state| led.arm_angle(state)[k].value.to_degrees()));
+    let view = view.plot("speed of hinge 1", "rad/s", |state| led.arm_angle(state)[0].rate);
+    let view = (1..6).fold(view, |view, k| view.and(&(k + 1).to_string(), |state| led.arm_angle(state)[k].rate));
+    let view =
+        view.plot("x of the tool", "mm", |state| led.tool(state).position.x * 1e3).against("wanted", |state| wanted(state.t)[0].x * 1e3);
+    show("robot_arm", &view, 20, &[80, 140])
 }
 
 /// The six frames by the product of the transformations, from the angles.
@@ -217,45 +214,4 @@ fn print(m: &LedRobot, circle: &[LedRobotState<f64>]) {
         let angles = m.arm_angle(state).map(|angle| format!("{:8.3}", angle.value.to_degrees()));
         println!("{:6.2}   {}", state.t, angles.join("  "));
     }
-}
-
-fn picture(m: &LedRobot, circle: &[LedRobotState<f64>]) -> Plate {
-    let mut scene = Scene::new();
-    for state in [&circle[80], &circle[140]] {
-        scene.faint(|scene| draw(scene, m, state));
-    }
-    scene.line(Ink::Trace, circle.iter().map(|state| seen(&m.tool(state).position)));
-    draw(&mut scene, m, &circle[20]);
-
-    let inks = [Ink::Input, Ink::Coupler, Ink::Output, Ink::Second, Ink::Trace, Ink::Ground];
-    let names = ["1", "2", "3", "4", "5", "6"];
-    let curves = |title: &'static str, of: fn(Turn) -> f64, is_named: bool| {
-        (0..6).fold(Diagram::new(title), |diagram, i| {
-            let curve = circle.iter().map(|state| (state.t, of(m.arm_angle(state)[i])));
-            diagram.curve(inks[i], if is_named { names[i] } else { "" }, curve)
-        })
-    };
-    let place = circle.iter().map(|state| (state.t, m.tool(state).position.x * 1e3));
-    Plate::new("Robot arm, led by its tool", scene, Abscissa { name: "time in s", range: 0.0..4.0, step: 0.5 })
-        .diagram(curves("hinges in °", |angle| angle.value.to_degrees(), true))
-        .diagram(curves("rad/s", |angle| angle.rate, false))
-        .diagram(
-            Diagram::new("x of the tool in mm")
-                .curve(Ink::Trace, "reuleaux", place)
-                .circles("wanted", circle.iter().step_by(8).map(|state| (state.t, wanted(state.t)[0].x * 1e3))),
-        )
-}
-
-/// The arm: from hinge to hinge along each axis, then along the link.
-fn draw(scene: &mut Scene, m: &LedRobot, state: &LedRobotState<f64>) {
-    let frames = frames(&m.arm_angle(state));
-    let (mut foot, mut axis) = (Vector3::zeros(), Vector3::z());
-    let inks = [Ink::Ground, Ink::Input, Ink::Coupler, Ink::Second, Ink::Input, Ink::Output];
-    // The offset of the machine's upper arm cancels that of its wrist; the drawing shows the axes of the declaration.
-    for ((ink, frame), [_, d, _]) in inks.into_iter().zip(&frames).zip(LINKS) {
-        let (shoulder, end) = (foot + axis * d, frame.translation.vector);
-        scene.link(ink, &[seen(&foot), seen(&shoulder)]).link(ink, &[seen(&shoulder), seen(&end)]);
-        (foot, axis) = (end, frame.rotation * Vector3::z());
-    }
-    scene.pin(seen(&foot));
 }

@@ -16,7 +16,7 @@ use std::f64::consts::TAU;
 use reuleaux::nalgebra::Vector3;
 use reuleaux::picture::Drawable;
 use reuleaux::{Integrator, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, ring, round, seen, show, steps};
+use reuleaux_examples::{round, show, steps};
 
 mechanism! {
     /// A thin coin on a table.
@@ -71,17 +71,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (least, most) = energies.fold((f64::INFINITY, 0.0_f64), |(least, most), energy| (least.min(energy), most.max(energy)));
     println!("a coin that curls keeps {most:.6} J within {:.1e} J", most - least);
     assert!(most - least < 1e-8 * most);
-    println!("{}", picture(&coin, &curl).save("rolling_coin")?.display());
     let view = coin
-        .view(curl.into_iter().step_by(2))
+        .view(curl)
+        .title("Rolling coin")
         .outline("coin", round(coin.radius).iter().map(|at| at.push(0.0)))
         .trace("path of the contact", |state| contact(&coin, state))
         .plot("lean", "°", |state| state.coin().rotation[(2, 2)].acos().to_degrees())
         .plot("kinetic energy", "J", |state| coin.energy(state).kinetic)
         .and("potential energy", |state| coin.energy(state).potential)
         .and("their sum", |state| coin.energy(state).kinetic + coin.energy(state).potential);
-    show("rolling_coin", &view)?;
-    Ok(())
+    show("rolling_coin", &view, 0, &[50, 100, 150, 200, 250, 300, 350, 400])
 }
 
 /// A coin that rolls along and topples.
@@ -101,26 +100,4 @@ fn contact(m: &Coin, state: &State) -> Vector3<f64> {
     let axis = state.coin().rotation.column(2).into_owned();
     let down = (axis * axis.z - Vector3::z()).normalize();
     state.coin().position + down * m.radius
-}
-
-fn picture(m: &Coin, curl: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    let path: Vec<Place> = curl.iter().map(|state| seen(&contact(m, state))).collect();
-    scene.line(Ink::Trace, path);
-    for state in curl.iter().step_by(50) {
-        let coin = state.coin();
-        scene.faint(|scene| {
-            scene.line(Ink::Coupler, ring(&coin.position, &coin.rotation.column(2).into_owned(), m.radius));
-        });
-    }
-    let coin = curl[0].coin();
-    scene.surface(Ink::Output, ring(&coin.position, &coin.rotation.column(2).into_owned(), m.radius));
-    let over = |of: fn(&Coin, &State) -> f64| curl.iter().map(move |state| (state.t, of(m, state)));
-    Plate::new("Rolling coin", scene, Abscissa { name: "time in s", range: 0.0..4.0, step: 1.0 })
-        .diagram(Diagram::new("lean in °").curve(Ink::Output, "", over(|_, state| state.coin().rotation[(2, 2)].acos().to_degrees())))
-        .diagram(Diagram::new("energy in J").curve(Ink::Input, "kinetic", over(|m, state| m.energy(state).kinetic)).curve(
-            Ink::Coupler,
-            "potential",
-            over(|m, state| m.energy(state).potential),
-        ))
 }

@@ -17,7 +17,7 @@ use std::error::Error;
 
 use reuleaux::mechanism;
 use reuleaux::picture::Drawable;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, place, rectangle, show, steps};
+use reuleaux_examples::{largest_difference, show, steps};
 
 mechanism! {
     /// An engine with an offset cylinder.
@@ -59,16 +59,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_piston(&mechanism, &turn);
     assert_stroke(&mechanism)?;
     print(&mechanism, &turn);
-    println!("{}", picture(&mechanism, &turn).save("slider_crank")?.display());
     let view = mechanism
         .view(turn)
+        .title("Offset slider-crank")
+        .over("crank", "°", |state| state.crank().angle.to_degrees())
         .trace("path of A", |state| mechanism.A(state).value)
         .plot("travel", "mm", |state| mechanism.travel(state).value * 1e3)
-        .and("closed form", |state| piston(&mechanism, state.crank().angle)[0] * 1e3)
+        .against("closed form", |state| piston(&mechanism, state.crank().angle)[0] * 1e3)
         .plot("speed", "m/s", |state| mechanism.travel(state).rate)
-        .plot("acceleration", "m/s²", |state| mechanism.travel(state).acceleration);
-    show("slider_crank", &view)?;
-    Ok(())
+        .against("closed form", |state| piston(&mechanism, state.crank().angle)[1])
+        .plot("acceleration", "m/s²", |state| mechanism.travel(state).acceleration)
+        .against("closed form", |state| piston(&mechanism, state.crank().angle)[2]);
+    show("slider_crank", &view, 25, &[55, 85, 115, 145])
 }
 
 /// Travel (m), speed (m/s) and acceleration (m/s²) of the piston at the crank's angle φ (rad).
@@ -119,41 +121,4 @@ fn print(m: &Engine, turn: &[State]) {
             travel.acceleration
         );
     }
-}
-
-fn picture(m: &Engine, turn: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    let [left, right] = [0.10, 0.45].map(|x| move |y: f64| place(x, m.offset + y));
-    scene.wall(right(0.045), left(0.045)).wall(left(-0.045), right(-0.045));
-    for state in turn.iter().step_by(30).skip(1) {
-        scene.faint(|scene| draw(scene, m, state));
-    }
-    scene.line(Ink::Trace, turn.iter().map(|state| m.A(state).value));
-    draw(&mut scene, m, &turn[25]);
-    let [o, a, b] = [m.O(&turn[25]), m.A(&turn[25]), m.B(&turn[25])].map(|point| point.value);
-    scene.name(o, "O", [-16.0, 2.0]).name(a, "A", [-4.0, 17.0]).name(b, "B", [15.0, 10.0]);
-
-    let crank = |state: &State| state.crank().angle.to_degrees();
-    let exact =
-        |order: usize, unit: f64| turn.iter().step_by(9).map(move |state| (crank(state), piston(m, state.crank().angle)[order] * unit));
-    let solved = |of: fn(&Engine, &State) -> f64| turn.iter().map(move |state| (crank(state), of(m, state)));
-    Plate::new("Offset slider-crank", scene, Abscissa { name: "crank angle in °", range: 0.0..360.0, step: 60.0 })
-        .diagram(
-            Diagram::new("travel in mm")
-                .curve(Ink::Output, "reuleaux", solved(|m, state| m.travel(state).value * 1e3))
-                .circles("closed form", exact(0, 1e3)),
-        )
-        .diagram(Diagram::new("speed in m/s").curve(Ink::Output, "", solved(|m, state| m.travel(state).rate)).circles("", exact(1, 1.0)))
-        .diagram(
-            Diagram::new("acceleration in m/s²")
-                .curve(Ink::Output, "", solved(|m, state| m.travel(state).acceleration))
-                .circles("", exact(2, 1.0)),
-        )
-}
-
-fn draw(scene: &mut Scene, m: &Engine, state: &State) {
-    let [o, a, b] = [m.O(state), m.A(state), m.B(state)].map(|point| point.value);
-    scene.surface(Ink::Output, rectangle(b, 0.0, 0.07, 0.088));
-    scene.link(Ink::Coupler, &[a, b]).link(Ink::Input, &[o, a]);
-    scene.pin(a).pin(b).pivot(o);
 }

@@ -23,7 +23,7 @@ use std::error::Error;
 use reuleaux::mechanism;
 use reuleaux::nalgebra::Vector3;
 use reuleaux::picture::Drawable;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, ring, seen, show, steps};
+use reuleaux_examples::{largest_difference, show, steps};
 
 mechanism! {
     /// A crank whose axis is parallel to the line of its slider.
@@ -74,15 +74,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_travel(&mechanism, &turn);
     assert_rod(&mechanism, &turn);
     print(&mechanism, &turn);
-    println!("{}", picture(&mechanism, &turn).save("spatial_slider_crank")?.display());
     let view = mechanism
         .view(turn)
+        .title("Slider-crank in space")
+        .over("crank", "°", |state| mechanism.angle(state).value.to_degrees())
         .trace("path of A", |state| mechanism.A(state).value)
         .plot("travel", "mm", |state| mechanism.travel(state).value * 1e3)
-        .and("closed form", |state| travel(&mechanism, mechanism.angle(state).value)[0] * 1e3)
-        .plot("speed", "m/s", |state| mechanism.travel(state).rate);
-    show("spatial_slider_crank", &view)?;
-    Ok(())
+        .against("closed form", |state| travel(&mechanism, mechanism.angle(state).value)[0] * 1e3)
+        .plot("speed", "m/s", |state| mechanism.travel(state).rate)
+        .against("closed form", |state| travel(&mechanism, mechanism.angle(state).value)[1])
+        .plot("acceleration", "m/s²", |state| mechanism.travel(state).acceleration)
+        .against("closed form", |state| travel(&mechanism, mechanism.angle(state).value)[2]);
+    show("spatial_slider_crank", &view, 20, &[50, 80, 110, 140])
 }
 
 /// Travel (m), speed and acceleration of the slider at the crank's angle θ (rad).
@@ -130,46 +133,4 @@ fn print(m: &SpatialSliderCrank, turn: &[State]) {
             omega.z
         );
     }
-}
-
-fn picture(m: &SpatialSliderCrank, turn: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    let [from, to] = [0.0, 0.34].map(|x| seen(&Vector3::new(x, 0.0, 0.0)));
-    scene.dashes(Ink::Ground, from, to);
-    for state in turn.iter().step_by(30).skip(1) {
-        scene.faint(|scene| draw(scene, m, state));
-    }
-    scene.line(Ink::Trace, turn.iter().map(|state| seen(&m.A(state).value)));
-    draw(&mut scene, m, &turn[20]);
-    let [a, b] = [m.A(&turn[20]), m.B(&turn[20])].map(|point| seen(&point.value));
-    scene.name(a, "A", [-4.0, 16.0]).name(b, "B", [6.0, -18.0]);
-
-    let crank = |state: &State| m.angle(state).value.to_degrees();
-    let exact =
-        |order: usize, unit: f64| turn.iter().step_by(9).map(move |state| (crank(state), travel(m, m.angle(state).value)[order] * unit));
-    let solved = |of: fn(&SpatialSliderCrank, &State) -> f64| turn.iter().map(move |state| (crank(state), of(m, state)));
-    Plate::new("Slider-crank in space", scene, Abscissa { name: "crank angle in °", range: 0.0..360.0, step: 60.0 })
-        .diagram(
-            Diagram::new("travel in mm")
-                .curve(Ink::Output, "reuleaux", solved(|m, state| m.travel(state).value * 1e3))
-                .circles("closed form", exact(0, 1e3)),
-        )
-        .diagram(Diagram::new("speed in m/s").curve(Ink::Output, "", solved(|m, state| m.travel(state).rate)).circles("", exact(1, 1.0)))
-        .diagram(
-            Diagram::new("acceleration in m/s²")
-                .curve(Ink::Output, "", solved(|m, state| m.travel(state).acceleration))
-                .circles("", exact(2, 1.0)),
-        )
-}
-
-fn draw(scene: &mut Scene, m: &SpatialSliderCrank, state: &State) {
-    let axle = Vector3::new(0.0, 0.1, 0.12);
-    let [o, a, b] = [axle, m.A(state).value, m.B(state).value].map(|place| seen(&place));
-    for end in [-0.02, 0.02] {
-        let middle = m.B(state).value + Vector3::x() * end;
-        let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
-        scene.surface(Ink::Output, corners.map(|[y, z]| seen(&(middle + Vector3::new(0.0, y, z) * 0.015))));
-    }
-    scene.link(Ink::Coupler, &[a, b]).link(Ink::Input, &[o, a]).pin(a).pin(b);
-    scene.surface(Ink::Ground, ring(&axle, &Vector3::x(), 0.008));
 }

@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 use reuleaux::nalgebra::Vector3;
 use reuleaux::picture::Drawable;
 use reuleaux::{Integrator, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, ring, round, seen, show, steps};
+use reuleaux_examples::{rod, round, show, steps};
 
 mechanism! {
     /// A top spinning on its tip.
@@ -65,17 +65,18 @@ fn main() -> Result<(), Box<dyn Error>> {
         bound(&top).to_degrees()
     );
     assert!((turning_point(&top)? - bound(&top)).abs() < 1e-9);
-    println!("{}", picture(&top, &curve).save("spinning_top")?.display());
     let states: Vec<State> = top.sweep(steps(0.0, 1.0, 500), Integrator::new(1e-9)).collect::<Result<_, _>>()?;
     let view = top
         .view(states)
+        .title("Spinning top")
         .outline("top", round(0.035).iter().map(|at| at.push(0.06)))
-        .outline("top", [Vector3::zeros(), Vector3::new(0.035, 0.0, 0.06), Vector3::new(-0.035, 0.0, 0.06)])
+        .outline("top", rod(Vector3::z() * 0.096, Vector3::x() * 0.0012))
+        .outline("top", rod(Vector3::z() * 0.096, Vector3::y() * 0.0012))
         .trace("path of the centre", |state| state.top().rotation.column(2) * 0.06)
         .plot("from the vertical", "°", |state| axis(state)[0].to_degrees())
-        .and("lower bound", |_| bound(&top).to_degrees());
-    show("spinning_top", &view)?;
-    Ok(())
+        .against("closed form of the bounds", |_| bound(&top).to_degrees())
+        .against("closed form of the bounds", |_| top.lean.to_degrees());
+    show("spinning_top", &view, 0, &[])
 }
 
 /// The two speeds (rad/s) of steady precession.
@@ -119,21 +120,4 @@ fn nodding(m: &Top) -> Result<Vec<Moment>, Box<dyn Error>> {
         curve.push((time, axis(&state)[0], state.top().rotation.column(2) * 0.06));
     }
     Ok(curve)
-}
-
-fn picture(m: &Top, curve: &[Moment]) -> Plate {
-    let mut scene = Scene::new();
-    let path: Vec<Place> = curve.iter().map(|(_, _, centre)| seen(centre)).collect();
-    scene.line(Ink::Trace, path);
-    let centre = curve[0].2;
-    scene.surface(Ink::Input, ring(&centre, &centre, 0.035));
-    scene.link(Ink::Coupler, &[seen(&Vector3::zeros()), seen(&(centre * 1.6))]);
-    scene.pivot(seen(&Vector3::zeros()));
-    let bounds = [m.lean, bound(m)].map(|lean| lean.to_degrees());
-    let lines = steps(0.0, 1.0, 10).flat_map(|time| bounds.map(|lean| (time, lean)));
-    Plate::new("Spinning top", scene, Abscissa { name: "time in s", range: 0.0..1.0, step: 0.2 }).diagram(
-        Diagram::new("from the vertical in °")
-            .curve(Ink::Output, "", curve.iter().map(|(time, lean, _)| (*time, lean.to_degrees())))
-            .circles("closed form of the bounds", lines),
-    )
 }

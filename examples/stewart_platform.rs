@@ -19,7 +19,7 @@ use std::f64::consts::TAU;
 use reuleaux::mechanism;
 use reuleaux::nalgebra::{Rotation3, Unit, Vector3};
 use reuleaux::picture::Drawable;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, seen, show, steps};
+use reuleaux_examples::{show, steps};
 
 mechanism! {
     /// A platform on six cylinders.
@@ -72,16 +72,18 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     motion.iter().for_each(assert_motion);
     print(&mechanism, &motion);
-    println!("{}", picture(&mechanism, &motion).save("stewart_platform")?.display());
-    let view = mechanism
-        .view(motion)
-        .trace("path of the centre", |state| mechanism.middle(state).value)
-        .plot("leg 1", "mm", |state| mechanism.length(state)[0].value * 1e3)
-        .and("leg 2", |state| mechanism.length(state)[1].value * 1e3)
+    let view = mechanism.view(motion).title("Stewart platform").trace("path of the centre", |state| mechanism.middle(state).value).plot(
+        "leg 1",
+        "mm",
+        |state| mechanism.length(state)[0].value * 1e3,
+    );
+    let view = (1..6).fold(view, |view, k| view.and(&(k + 1).to_string(), |state| mechanism.length(state)[k].value * 1e3));
+    let view = view
         .plot("height", "mm", |state| mechanism.middle(state).value.z * 1e3)
-        .and("wanted", |state| wanted(state.t)[0].0.z * 1e3);
-    show("stewart_platform", &view)?;
-    Ok(())
+        .against("wanted", |state| wanted(state.t)[0].0.z * 1e3)
+        .plot("tilt", "°", |state| ((state.platform().rotation.trace() - 1.0) / 2.0).clamp(-1.0, 1.0).acos().to_degrees())
+        .against("wanted", |state| wanted(state.t)[0].1.abs().to_degrees());
+    show("stewart_platform", &view, 30, &[130])
 }
 
 /// Wanted position (m) and angle (rad) at a time, with their first and second derivatives.
@@ -119,39 +121,4 @@ fn print(m: &StewartPlatform, motion: &[State]) {
         let lengths = m.length(state).map(|length| format!("{:7.2}", length.value * 1e3));
         println!("{:6.2}   {:7.2}   {:7.2}   {:7.2}   {}", state.t, middle.x, middle.y, middle.z, lengths.join(" "));
     }
-}
-
-fn picture(m: &StewartPlatform, motion: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    let state = &motion[30];
-    let [base, top] = [m.B(state), m.P(state)].map(|points| points.map(|point| seen(&point.value)));
-    scene.surface(Ink::Ground, base);
-    for i in 0..6 {
-        let middle = (base[i] + top[i]) / 2.0;
-        scene.link(Ink::Input, &[base[i], middle]).line(Ink::Coupler, [middle, top[i]]);
-    }
-    scene.faint(|scene| {
-        scene.surface(Ink::Output, m.P(&motion[130]).map(|point| seen(&point.value)));
-    });
-    scene.surface(Ink::Output, top);
-    scene.line(Ink::Trace, motion.iter().map(|state| seen(&m.middle(state).value)));
-
-    let inks = [Ink::Input, Ink::Coupler, Ink::Output, Ink::Second, Ink::Trace, Ink::Ground];
-    let legs = inks.into_iter().enumerate().fold(Diagram::new("legs in mm"), |diagram, (i, ink)| {
-        diagram.curve(ink, "", motion.iter().map(|state| (state.t, m.length(state)[i].value * 1e3)))
-    });
-    let turned = |state: &State| state.platform().rotation.trace();
-    let angle = |state: &State| ((turned(state) - 1.0) / 2.0).clamp(-1.0, 1.0).acos().to_degrees();
-    Plate::new("Stewart platform", scene, Abscissa { name: "time in s", range: 0.0..4.0, step: 0.5 })
-        .diagram(legs)
-        .diagram(
-            Diagram::new("height in mm")
-                .curve(Ink::Output, "reuleaux", motion.iter().map(|state| (state.t, m.middle(state).value.z * 1e3)))
-                .circles("wanted", motion.iter().step_by(8).map(|state| (state.t, wanted(state.t)[0].0.z * 1e3))),
-        )
-        .diagram(
-            Diagram::new("tilt in °")
-                .curve(Ink::Output, "", motion.iter().map(|state| (state.t, angle(state))))
-                .circles("", motion.iter().step_by(8).map(|state| (state.t, wanted(state.t)[0].1.abs().to_degrees()))),
-        )
 }

@@ -20,8 +20,9 @@ use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use reuleaux::nalgebra::Vector6;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, carried, largest_difference, place, polar, steps};
-use reuleaux_study::{Alone, Lengths, Linkage, POSITIONS, Run, Spread, Study, Tally, lengths, linear, linkage, positions};
+use reuleaux::picture::{Drawable, GROUND};
+use reuleaux_examples::{Place, apex, carried, figure, largest_difference, place, polar, rectangle, steps};
+use reuleaux_study::{Alone, Lengths, Linkage, LinkageState, POSITIONS, Run, Spread, Study, Tally, lengths, linear, linkage, positions};
 
 /// Sets without an argument, those of the picture.
 const SETS: u64 = 20_000;
@@ -145,33 +146,25 @@ fn ellipse(centre: Place, spread: &Spread, size: f64) -> impl Iterator<Item = Pl
 /// The nominal linkage, tips of a few others with the ellipses in which the linear analysis expects 98.9 % of them, and the deviations of all.
 fn draw(study: &Study, tally: &Tally) -> Result<(), Box<dyn Error>> {
     let nominal = Linkage::default();
-    let [ground, ..] = lengths(&nominal);
-    let mut scene = Scene::new();
-    let state = nominal.solve(1.0 / 6.0)?;
-    let (pin, end) = (state.coupler().position, state.rocker().point([nominal.rocker_length, 0.0].into()).value);
-    scene.link(Ink::Coupler, &[pin, end, nominal.tip(&state).value]);
-    scene.link(Ink::Input, &[place(0.0, 0.0), pin]).link(Ink::Output, &[place(ground, 0.0), end]);
-    scene.pin(pin).pin(end).pivot(place(0.0, 0.0)).pivot(place(ground, 0.0));
-
+    let states = nominal.sweep(positions()).collect::<Result<Vec<LinkageState<f64>>, _>>()?;
     let spreads = linear(study)?;
+    let position = |state: &LinkageState<f64>| (state.t * POSITIONS as f64).round() as usize;
+    let linear = |axis: usize| move |state: &LinkageState<f64>| 1e3 * spreads[position(state)].deviations[axis];
+    let sets = |axis: usize| move |state: &LinkageState<f64>| 1e3 * tally.tips[position(state)][axis].deviation(tally.turning());
+    let view = nominal
+        .view(states)
+        .title("Tolerances of a four-bar")
+        .over("crank", "°", |state| 360.0 * state.t)
+        .trace("path of the nominal tip", |state| nominal.tip(state).value)
+        .plot("deviation of x, linear", "mm", linear(0))
+        .against("Monte Carlo", sets(0))
+        .plot("deviation of y, linear", "mm", linear(1))
+        .against("Monte Carlo", sets(1));
+    let mut view = view;
     for (t, spread) in positions().into_iter().zip(&spreads).step_by(6) {
         let others = (0..40).map(|number| tip(lengths(&study.set(number)), t)).filter(|tip| tip.x.is_finite());
-        others.for_each(|tip| {
-            scene.disc(Ink::Second, tip, 0.08e-3);
-        });
-        scene.line(Ink::Trace, ellipse(tip(lengths(&nominal), t), spread, 3.0 * study.deviation));
+        view = others.fold(view, |view, tip| view.outline(GROUND, rectangle(tip, 0.0, 0.1e-3, 0.1e-3)));
+        view = view.outline(GROUND, ellipse(tip(lengths(&nominal), t), spread, 3.0 * study.deviation));
     }
-    scene.line(Ink::Trace, steps(0.0, 1.0, 180).map(|t| tip(lengths(&nominal), t)));
-
-    let angle = |position: usize| 360.0 / POSITIONS as f64 * position as f64;
-    let sets = |axis: usize| {
-        tally.tips.iter().enumerate().map(move |(k, tip)| (angle(k), 1e3 * tip[axis].deviation(tally.turning()))).collect::<Vec<_>>()
-    };
-    let slopes = |axis: usize| spreads.iter().enumerate().map(move |(k, spread)| (angle(k), 1e3 * spread.deviations[axis]));
-    let diagram = |name, axis| Diagram::new(name).curve(Ink::Trace, "linear", slopes(axis)).circles("Monte Carlo", sets(axis));
-    Plate::new("Tolerances of a four-bar", scene, Abscissa { name: "crank angle in °", range: 0.0..360.0, step: 60.0 })
-        .diagram(diagram("deviation of x in mm", 0))
-        .diagram(diagram("deviation of y in mm", 1))
-        .save("tolerances")?;
-    Ok(())
+    figure("tolerances", &view, 12, &[])
 }

@@ -16,7 +16,7 @@ use std::error::Error;
 
 use reuleaux::picture::Drawable;
 use reuleaux::{Integrator, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, place, rectangle, show, steps};
+use reuleaux_examples::{place, rectangle, show, steps};
 
 mechanism! {
     /// Three axles: two of the car, of which the front one is steered, and one of the trailer.
@@ -81,54 +81,22 @@ fn main() -> Result<(), Box<dyn Error>> {
     let radius = curve.wheelbase / curve.steering.tan();
     let off = way.iter().map(|state| ((state.car().position - place(0.0, radius)).norm() - radius).abs()).fold(0.0, f64::max);
     assert!(off < 1e-9, "{off:e} m");
-    println!("{}", picture(&curve, &way).save("trailer")?.display());
     let view = curve
         .view(way)
+        .title("A car with a trailer")
         .outline("car", rectangle(place(1.3, 0.0), 0.0, 3.8, 1.2))
         .outline("wheel", rectangle(place(0.0, 0.0), 0.0, 0.7, 0.25))
         .outline("trailer", rectangle(place(0.6, 0.0), 0.0, 3.6, 1.2))
+        .outline("trailer", rectangle(place(3.2, 0.0), 0.0, 1.6, 0.1));
+    // Wheels beside the axles.
+    let view = ["car", "trailer"].into_iter().fold(view, |view, body| {
+        view.outline(body, rectangle(place(0.0, 0.75), 0.0, 0.7, 0.2)).outline(body, rectangle(place(0.0, -0.75), 0.0, 0.7, 0.2))
+    });
+    let view = view
         .trace("rear axle of the car", |state| state.car().position)
         .trace("axle of the trailer", |state| state.trailer().position)
         .plot("hitch", "°", |state| curve.angle(state).value.to_degrees())
-        .and("closed form", |state| angle(&curve, state.t).to_degrees());
-    show("trailer", &view)?;
-    Ok(())
-}
-
-fn picture(m: &Trailer, way: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    let path = |of: fn(&State) -> Place| way.iter().map(of).collect::<Vec<Place>>();
-    scene.line(Ink::Input, path(|state| state.car().position));
-    scene.line(Ink::Trace, path(|state| state.trailer().position));
-    for state in way.iter().step_by(40) {
-        scene.faint(|scene| draw(scene, m, state));
-    }
-    draw(&mut scene, m, &way[20]);
-    let over = |of: fn(&Trailer, &State) -> f64| way.iter().map(move |state| (state.t, of(m, state)));
-    let exact = way.iter().step_by(10).map(|state| (state.t, angle(m, state.t).to_degrees()));
-    Plate::new("A car with a trailer", scene, Abscissa { name: "time in s", range: 0.0..20.0, step: 5.0 })
-        .diagram(
-            Diagram::new("hitch in °")
-                .curve(Ink::Output, "reuleaux", over(|m, state| m.angle(state).value.to_degrees()))
-                .circles("closed form", exact),
-        )
-        .diagram(Diagram::new("rate in rad/s").curve(Ink::Output, "", over(|m, state| m.angle(state).rate)))
-}
-
-fn draw(scene: &mut Scene, m: &Trailer, state: &State) {
-    let at = |x: f64, y: f64, angle: f64, from: Place| from + place(x * angle.cos() - y * angle.sin(), x * angle.sin() + y * angle.cos());
-    let (car, wheel, trailer) = (state.car(), state.wheel(), state.trailer());
-    for (body, angle) in [(car.position, car.angle), (wheel.position, wheel.angle), (trailer.position, trailer.angle)] {
-        for side in [-0.75, 0.75] {
-            // Both front wheels are drawn parallel.
-            let hub = if body == wheel.position { at(0.0, side, car.angle, body) } else { at(0.0, side, angle, body) };
-            scene.link(Ink::Second, &[at(-0.3, 0.0, angle, hub), at(0.3, 0.0, angle, hub)]);
-        }
-    }
-    let outline = |from: f64, to: f64, body: Place, angle: f64| {
-        [[from, -0.6], [to, -0.6], [to, 0.6], [from, 0.6]].map(|[x, y]| at(x, y, angle, body))
-    };
-    scene.surface(Ink::Output, outline(-1.2, 0.6 * m.drawbar, trailer.position, trailer.angle));
-    scene.surface(Ink::Input, outline(-0.6, m.wheelbase + 0.5, car.position, car.angle));
-    scene.link(Ink::Output, &[at(0.6 * m.drawbar, 0.0, trailer.angle, trailer.position), car.position]).pin(car.position);
+        .against("closed form", |state| angle(&curve, state.t).to_degrees())
+        .plot("rate of the hitch", "rad/s", |state| curve.angle(state).rate);
+    show("trailer", &view, 20, &[60, 100, 140])
 }

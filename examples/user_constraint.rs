@@ -19,9 +19,9 @@
 use std::error::Error;
 use std::f64::consts::TAU;
 
-use reuleaux::picture::Drawable;
+use reuleaux::picture::{Drawable, GROUND};
 use reuleaux::{constraint, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, round, show, steps};
+use reuleaux_examples::{Place, largest_difference, round, show, steps};
 
 constraint! {
     /// The constraints of an orbit.
@@ -79,16 +79,19 @@ fn main() -> Result<(), Box<dyn Error>> {
         assert_kepler(&Orrery { eccentricity, ..Default::default() })?;
     }
     print(&mechanism, &year);
-    println!("{}", picture(&mechanism, &year).save("user_constraint")?.display());
-    let view = mechanism
-        .view(year)
+    let sector = |states: &[State]| states.iter().map(|state| mechanism.P(state).value).chain([mechanism.F(&states[0]).value]).collect();
+    let sectors: Vec<Vec<Place>> = year.windows(21).step_by(40).map(sector).collect();
+    let view = mechanism.view(year).title("Constraints of one's own: Kepler's ellipse");
+    // Every second one of twelve sectors of one second each: they have the same area.
+    let view = sectors.into_iter().fold(view, |view, sector| view.outline(GROUND, sector));
+    let view = view
         .outline("planet", round(0.008))
         .trace("orbit", |state| mechanism.P(state).value)
         .plot("distance", "mm", |state| mechanism.P(state).value.norm() * 1e3)
-        .and("ellipse", |state| distance(&mechanism, state.arm().angle) * 1e3)
-        .plot("arm", "rad/s", |state| state.arm().angular_velocity);
-    show("user_constraint", &view)?;
-    Ok(())
+        .against("ellipse", |state| distance(&mechanism, state.arm().angle) * 1e3)
+        .plot("speed of the arm", "rad/s", |state| state.arm().angular_velocity)
+        .against("law of areas", |state| areal_velocity(&mechanism) / distance(&mechanism, state.arm().angle).powi(2));
+    show("user_constraint", &view, 50, &[])
 }
 
 /// Distance to the sun (m) at the true anomaly ν (rad).
@@ -128,28 +131,4 @@ fn print(m: &Orrery, year: &[State]) {
             planet.rate.norm() * 1e3
         );
     }
-}
-
-fn picture(m: &Orrery, year: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    let [f, g] = [m.F(&year[0]), m.G(&year[0])].map(|point| point.value);
-    // Every second one of twelve sectors of one second each: they have the same area.
-    for second in year.windows(21).step_by(40) {
-        scene.surface(Ink::Second, second.iter().map(|state| m.P(state).value).chain([f]));
-    }
-    scene.line(Ink::Trace, year.iter().map(|state| m.P(state).value));
-    let p = m.P(&year[50]).value;
-    scene.dashes(Ink::Coupler, g, p).link(Ink::Input, &[f, p * 1.25]);
-    scene.pin(p).pin(g).pivot(f);
-    scene.name(f, "F", [14.0, -2.0]).name(g, "G", [-4.0, -15.0]).name(p, "P", [14.0, 8.0]);
-
-    let over = |of: fn(&Orrery, &State) -> f64| year.iter().map(move |state| (state.t, of(m, state)));
-    let exact = year.iter().step_by(10).map(|state| (state.t, areal_velocity(m) / distance(m, state.arm().angle).powi(2)));
-    Plate::new("Constraints of one's own: Kepler's ellipse", scene, Abscissa { name: "time in s", range: 0.0..12.0, step: 1.0 })
-        .diagram(Diagram::new("distance in mm").curve(Ink::Trace, "", over(|m, state| m.P(state).value.norm() * 1e3)))
-        .diagram(
-            Diagram::new("arm in rad/s")
-                .curve(Ink::Input, "reuleaux", over(|_, state| state.arm().angular_velocity))
-                .circles("law of areas", exact),
-        )
 }

@@ -23,8 +23,9 @@ use std::error::Error;
 use std::f64::consts::PI;
 
 use reuleaux::picture::Drawable;
-use reuleaux::{Integrator, PlanarBody, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, carried, gauss, on, place, rectangle, show, steps};
+use reuleaux::view::View;
+use reuleaux::{Integrator, mechanism};
+use reuleaux_examples::{Place, apex, carried, gauss, on, place, rectangle, show, steps};
 
 mechanism! {
     /// A quarter of a car on a double wishbone, seen from the front.
@@ -116,17 +117,19 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert!(errors.windows(2).all(|pair| pair[1] < 0.2 * pair[0]) && errors[3] < 2e-6, "{errors:?}");
     let on_bump = Corner { bump: 0.04, ..still };
     let (bumped, released) = (drive(&on_bump)?, drive(&Corner { lift: 5e-3, ..still })?);
-    println!("{}", picture(&on_bump, &linear, &bumped, &released).save("vehicle_corner")?.display());
-    let view = on_bump
-        .view(bumped.into_iter().step_by(2))
+    let [decay, rate] = linear.rates();
+    let small = |t: f64| 5.0 * (-decay * t).exp() * ((rate * t).cos() + decay / rate * (rate * t).sin());
+    let states = bumped.into_iter().zip(released).step_by(2);
+    let view = View::new("Corner of a car", states, |(state, _)| state.t, |(state, _)| on_bump.scene(state))
         .outline("car", BODY.map(|[x, y]| place(x, y)))
         .outline("upright", rectangle(place(0.11, 0.13), 0.0, 0.18, 0.6))
         .spring("spring", ("car", place(0.15, 0.62)), ("lower", place(0.25, 0.0)))
-        .plot("road", "mm", |state| on(&state.upright(), place(0.11, -0.17)).y * 1e3)
-        .and("car", |state| state.car().position.y * 1e3)
-        .plot("wheel load", "kN", |state| on_bump.loads(state).road().effort / 1e3);
-    show("vehicle_corner", &view)?;
-    Ok(())
+        .plot("road", "mm", |(state, _)| on(&state.upright(), place(0.11, -0.17)).y * 1e3)
+        .and("car", |(state, _)| state.car().position.y * 1e3)
+        .plot("wheel load", "kN", |(state, _)| on_bump.loads(state).road().effort / 1e3)
+        .plot("released car", "mm", |(_, state)| state.car().position.y * 1e3)
+        .against("small motion, by virtual work", |(_, state)| small(state.t));
+    show("vehicle_corner", &view, 0, &[])
 }
 
 /// Two triangles, in the frame of the car.
@@ -207,48 +210,4 @@ fn drive(m: &Corner) -> Result<Vec<State>, Box<dyn Error>> {
         states.push(state.clone());
     }
     Ok(states)
-}
-
-fn picture(m: &Corner, linear: &Linear, bumped: &[State], released: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    let road = |state: &State| on(&state.upright(), place(0.11, -0.17));
-    scene.wall(place(0.65, 0.0), place(-0.15, 0.0));
-    draw(&mut scene, &bumped[0]);
-    let millimetres =
-        |of: &dyn Fn(&State) -> f64, states: &[State]| states.iter().map(|state| (state.t, of(state) * 1e3)).collect::<Vec<_>>();
-    let [decay, rate] = linear.rates();
-    let small = |t: f64| 5.0 * (-decay * t).exp() * ((rate * t).cos() + decay / rate * (rate * t).sin());
-    let loads = bumped.iter().map(|state| (state.t, m.loads(state).road().effort / 1e3));
-    Plate::new("Corner of a car", scene, Abscissa { name: "time in s", range: 0.0..2.0, step: 0.5 })
-        .diagram(Diagram::new("height in mm").curve(Ink::Ground, "road", millimetres(&|state| road(state).y, bumped)).curve(
-            Ink::Output,
-            "car",
-            millimetres(&|state| state.car().position.y, bumped),
-        ))
-        .diagram(Diagram::new("wheel load in kN").curve(Ink::Input, "", loads))
-        .diagram(
-            Diagram::new("released, in mm")
-                .curve(Ink::Output, "car", millimetres(&|state| state.car().position.y, released))
-                .circles("small motion, by virtual work", released.iter().step_by(12).map(|state| (state.t, small(state.t)))),
-        )
-}
-
-fn draw(scene: &mut Scene, state: &State) {
-    let [car, lower, upper, upright] = [state.car(), state.lower(), state.upper(), state.upright()];
-    let at = |body: &PlanarBody<f64>, x: f64, y: f64| on(body, place(x, y));
-    let (b, c, top, foot) = (at(&lower, 0.35, -0.01), at(&upper, 0.255, 0.02), at(&car, 0.15, 0.62), at(&lower, 0.25, 0.0));
-    scene.surface(Ink::Ground, BODY.map(|[x, y]| at(&car, x, y)));
-    scene.surface(Ink::Second, rectangle(at(&upright, 0.11, 0.13), upright.angle, 0.18, 0.6));
-    scene.link(Ink::Output, &[b, at(&upright, 0.11, 0.13), c]);
-    scene.link(Ink::Coupler, &[lower.position, foot, b]).link(Ink::Coupler, &[upper.position, c]);
-    let coil = (0..=16).map(|k| {
-        let (along, side) = (f64::from(k) / 16.0, if k % 2 == 0 { 0.025 } else { -0.025 });
-        foot + (top - foot) * (0.15 + 0.7 * along) + place(side, 0.0)
-    });
-    scene.line(Ink::Input, std::iter::once(foot).chain(coil).chain([top]));
-    for pin in [b, c, top, foot, lower.position, upper.position] {
-        scene.pin(pin);
-    }
-    scene.name(lower.position, "L", [-17.0, 0.0]).name(upper.position, "U", [-17.0, 0.0]).name(b, "B", [-16.0, 17.0]);
-    scene.name(c, "C", [-4.0, 18.0]).name(at(&upright, 0.11, -0.17), "W", [0.0, 14.0]).name(top, "k, c", [42.0, -44.0]);
 }

@@ -20,7 +20,7 @@ use std::f64::consts::{PI, TAU};
 
 use reuleaux::mechanism;
 use reuleaux::picture::Drawable;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, largest_difference, place, polar, show, steps};
+use reuleaux_examples::{Place, apex, largest_difference, place, polar, show, steps};
 
 mechanism! {
     /// Three pairs of legs, walking to the left.
@@ -116,16 +116,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_feet_alone(&walker, &turn)?;
     print_plan();
     print_gait(&walker, &turn);
-    println!("{}", picture(&walker, &turn).save("walker")?.display());
     let view = walker
         .view(turn)
+        .title("A walker of six legs")
+        .over("crank, clockwise", "°", |state| -state.crank().angle.to_degrees())
         .trace("path of a left foot", |state| feet(&walker, state)[0][0])
         .trace("path of a right foot", |state| feet(&walker, state)[0][1])
-        .plot("left foot", "mm", |state| feet(&walker, state)[0][0].y * 1e3)
-        .and("triangles", |state| triangles(&walker, state.crank().angle)[0][0].y * 1e3)
+        .plot("left foot of the first pair", "mm", |state| feet(&walker, state)[0][0].y * 1e3)
+        .and("of the second", |state| feet(&walker, state)[1][0].y * 1e3)
+        .and("of the third", |state| feet(&walker, state)[2][0].y * 1e3)
+        .against("triangles", |state| triangles(&walker, state.crank().angle)[0][0].y * 1e3)
         .plot("axle over the lowest foot", "mm", |state| -lowest(feet(&walker, state)) * 1e3);
-    show("walker", &view)?;
-    Ok(())
+    show("walker", &view, 20, &[])
 }
 
 /// The slice of the feet gives the same motion, from the same blocks.
@@ -209,51 +211,4 @@ fn print_gait(walker: &Walker, turn: &[State]) {
     let (low, high) = axle.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), height| (low.min(*height), high.max(*height)));
     println!("\nthe axle goes {low:.2} to {high:.2} mm above the ground\n");
     assert!(high - low < 0.3, "the walker sways by {} mm", high - low);
-}
-
-fn picture(walker: &Walker, turn: &[State]) -> Plate {
-    let shown = &turn[20];
-    let ground = lowest(feet(walker, shown));
-    let mut scene = Scene::new();
-    scene.wall(place(-0.1, ground), place(0.1, ground));
-    scene.faint(|scene| {
-        draw(scene, walker, shown, 1);
-        draw(scene, walker, shown, 2);
-    });
-    draw(&mut scene, walker, shown, 0);
-    for side in 0..2 {
-        scene.line(Ink::Trace, turn.iter().map(|state| feet(walker, state)[0][side]));
-    }
-
-    let crank = |state: &State| -state.crank().angle.to_degrees();
-    let height = |pair: usize, side: usize| turn.iter().map(move |state| (crank(state), feet(walker, state)[pair][side].y * 1e3));
-    let exact = turn.iter().step_by(9).map(|state| (crank(state), triangles(walker, state.crank().angle)[0][0].y * 1e3));
-    let axle = turn.iter().map(|state| (crank(state), -lowest(feet(walker, state)) * 1e3));
-    Plate::new("A walker of six legs", scene, Abscissa { name: "crank angle, clockwise, in °", range: 0.0..360.0, step: 60.0 })
-        .diagram(
-            Diagram::new("left feet in mm")
-                .curve(Ink::Trace, "leg[0][0]", height(0, 0))
-                .curve(Ink::Coupler, "leg[1][0]", height(1, 0))
-                .curve(Ink::Second, "leg[2][0]", height(2, 0))
-                .circles("triangles", exact),
-        )
-        .diagram(Diagram::new("axle in mm").curve(Ink::Output, "over the lowest foot", axle))
-}
-
-/// One pair of legs, and the crank.
-fn draw(scene: &mut Scene, walker: &Walker, state: &State, pair: usize) {
-    let legs = [walker.leg_X(state), walker.leg_U(state), walker.leg_W(state), walker.leg_C(state), walker.leg_F(state)];
-    for side in 0..2 {
-        let v = place(if side == 0 { -0.038 } else { 0.038 }, -0.0078);
-        let [x, u, w, c, f] = legs.map(|points| points[pair][side].value);
-        let t = feet(walker, state)[pair][side];
-        scene.link(Ink::Coupler, &[v, u, w]).link(Ink::Output, &[f, c, t]);
-        scene.link(Ink::Second, &[x, u]).link(Ink::Second, &[x, c]).link(Ink::Second, &[v, c]).link(Ink::Second, &[w, f]);
-        scene.link(Ink::Input, &[place(0.0, 0.0), x]);
-        for pin in [x, u, w, c, f, t] {
-            scene.pin(pin);
-        }
-        scene.pivot(v);
-    }
-    scene.pivot(place(0.0, 0.0));
 }

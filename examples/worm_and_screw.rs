@@ -21,9 +21,9 @@ use std::error::Error;
 use std::f64::consts::TAU;
 
 use reuleaux::mechanism;
-use reuleaux::nalgebra::Vector3;
 use reuleaux::picture::Drawable;
-use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, largest_difference, ring, seen, show, steps};
+use reuleaux::view::View;
+use reuleaux_examples::{figure, largest_difference, play, steps};
 
 mechanism! {
     /// A screw jack on a worm gear.
@@ -73,17 +73,21 @@ fn main() -> Result<(), Box<dyn Error>> {
         assert!((rise / (turns * mechanism.lead / 30.0) - 1.0).abs() < 8.0 * f64::EPSILON, "{rise} m after {turns} turns");
     }
     print(&mechanism, &motion);
-    println!("{}", picture(&mechanism, &motion).save("worm_and_screw")?.display());
+    figure("worm_and_screw", &view(&mechanism, motion), 60, &[120, 240])?;
     // Few turns and a steep thread, so that both can be seen.
     let steep = ScrewJack { turns: 5.0 * TAU, lead: 0.36, duration: 4.0, ..mechanism };
     let motion: Vec<State> = steep.sweep(steps(0.0, 4.0, 120)).collect::<Result<_, _>>()?;
-    let view = steep
-        .view(motion)
-        .plot("height", "mm", |state| steep.height(state).value * 1e3)
-        .and("closed form", |state| exact(&steep, state.t / steep.duration)[0] * 1e3)
-        .plot("turns of the motor", "", |state| steep.motor(state).value / TAU);
-    show("worm_and_screw", &view)?;
-    Ok(())
+    play("worm_and_screw", &view(&steep, motion))
+}
+
+fn view(m: &ScrewJack, motion: Vec<State>) -> View<State> {
+    m.view(motion)
+        .title("Worm gear and screw")
+        .plot("height", "mm", |state| m.height(state).value * 1e3)
+        .against("closed form", |state| exact(m, state.t / m.duration)[0] * 1e3)
+        .plot("motor", "turns", |state| m.motor(state).value / TAU)
+        .plot("speed of the load", "mm/s", |state| m.height(state).rate * 1e3)
+        .against("closed form", |state| exact(m, state.t / m.duration)[1] * 1e3)
 }
 
 /// Fraction of the stroke by the law 10u³ − 15u⁴ + 6u⁵, with its derivatives.
@@ -130,49 +134,4 @@ fn print(m: &ScrewJack, motion: &[State]) {
             m.height(state).rate * 1e3
         );
     }
-}
-
-fn picture(m: &ScrewJack, motion: &[State]) -> Plate {
-    let mut scene = Scene::new();
-    for state in [&motion[240], &motion[120]] {
-        scene.faint(|scene| screw(scene, m, state));
-    }
-    screw(&mut scene, m, &motion[60]);
-    let state = &motion[60];
-    for height in [-0.012, 0.012] {
-        scene.surface(Ink::Coupler, ring(&(Vector3::z() * height), &Vector3::z(), 0.045));
-    }
-    let tooth = |local: Vector3<f64>| seen(&state.wheel().point(local).value);
-    scene.line(Ink::Ground, [tooth(Vector3::z() * 0.012), tooth(Vector3::new(0.045, 0.0, 0.012))]);
-    let thread = steps(-4.0 * TAU, 4.0 * TAU, 240).map(|angle| worm(state, angle));
-    scene.line(Ink::Input, thread);
-    let [left, right] = [-0.09, 0.09].map(|x| seen(&Vector3::new(x, -m.distance, 0.0)));
-    scene.dashes(Ink::Input, left, right);
-    scene.name(left, "worm", [-14.0, 12.0]).name(seen(&m.head(state).value), "load", [26.0, 0.0]);
-
-    let over = |of: fn(&ScrewJack, &State) -> f64| motion.iter().map(move |state| (state.t, of(m, state)));
-    let dots =
-        |order: usize, unit: f64| motion.iter().step_by(12).map(move |state| (state.t, exact(m, state.t / m.duration)[order] * unit));
-    Plate::new("Worm gear and screw", scene, Abscissa { name: "time in s", range: 0.0..60.0, step: 10.0 })
-        .diagram(
-            Diagram::new("height in mm")
-                .curve(Ink::Output, "reuleaux", over(|m, state| m.height(state).value * 1e3))
-                .circles("closed form", dots(0, 1e3)),
-        )
-        .diagram(Diagram::new("turns of the motor").curve(Ink::Input, "", over(|m, state| m.motor(state).value / TAU)))
-        .diagram(Diagram::new("mm/s").curve(Ink::Output, "", over(|m, state| m.height(state).rate * 1e3)).circles("", dots(1, 1e3)))
-}
-
-/// The screw with its thread.
-fn screw(scene: &mut Scene, m: &ScrewJack, state: &State) {
-    let head = m.head(state).value;
-    let foot = head - Vector3::z() * 0.25;
-    scene.link(Ink::Output, &[seen(&foot), seen(&head)]);
-    scene.surface(Ink::Output, ring(&head, &Vector3::z(), 0.03));
-}
-
-/// A point on the thread of the worm.
-fn worm(state: &State, angle: f64) -> Place {
-    let local = Vector3::new(angle * 0.05 / (4.0 * TAU), 0.016 * angle.cos(), 0.016 * angle.sin());
-    seen(&state.worm().point(local).value)
 }

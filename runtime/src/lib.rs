@@ -83,7 +83,8 @@
 //!   ([`Mechanism::error_bound`], [`certify`](Mechanism::certify), [`polish`](Mechanism::polish)).
 //! - `page-picture` (default): a drawing of each mechanism on the page of its type. It adds to compile time, not to run time.
 //! - `picture`: the same drawing of any state at run time (`reuleaux::picture`), for mechanisms declared with `#[picture]`.
-//! - `view`: animated pictures with plots, as pages and files (`reuleaux::view`). `view-png`: their frames as PNG.
+//! - `view`: animated pictures with plots, as pages and files (`reuleaux::view`). `view-figure`: figures for print, with
+//!   diagrams. `view-png`: frames as PNG.
 //! - `serde`: parameters, inputs and states of mechanisms declared with `#[serde]` can be read and written, and so can [`Motion`]; [`Plan`]
 //!   and [`Failure`] can be written.
 //! - `rayon`: sweeps of many mechanisms on all processors (`reuleaux::parallel`).

@@ -6,6 +6,7 @@ use reuleaux::mechanism;
 
 mechanism! {
     /// A small crank-rocker with drilled holes. Its crank turns if ground and crank together are no longer than coupler and rocker.
+    #[picture]
     pub mechanism Linkage {
         param ground_length: Length = 40mm;
         param crank_length: Length = 15mm;

@@ -16,6 +16,9 @@ pub(crate) const SIZE: f64 = 12.0;
 /// A label whose best place costs more than this is omitted; the tooltip of the shape still gives the name.
 const DEAREST: f64 = 60.0;
 
+/// The same where bodies are crowded: a label covers no more than one of them.
+const DEAREST_IN_A_CROWD: f64 = 12.0;
+
 /// Cost of a label on the plate of another body.
 const ON_PLATE: f64 = 1.2;
 
@@ -35,8 +38,9 @@ pub(crate) struct Placed {
     choice: usize,
 }
 
-/// Places as many labels as there is room for; `before` are the labels of the frame before, which keep their places if possible.
-pub(crate) fn labels(canvas: &Canvas, before: &[Placed]) -> Vec<Placed> {
+/// Places as many labels as there is room for, fewer in a crowd of bodies; `before` are the labels of the frame before, which keep their places if possible.
+pub(crate) fn labels(canvas: &Canvas, before: &[Placed], is_crowded: bool) -> Vec<Placed> {
+    let dearest = if is_crowded { DEAREST_IN_A_CROWD } else { DEAREST };
     let mut wishes: Vec<&Wish> = canvas.wishes.iter().collect();
     // Labels with the fewest candidates come first.
     wishes.sort_by_key(|wish| wish.role);
@@ -61,7 +65,7 @@ pub(crate) fn labels(canvas: &Canvas, before: &[Placed]) -> Vec<Placed> {
         };
         let best = candidates.into_iter().enumerate().map(cost).min_by(|a, b| a.2.total_cmp(&b.2));
         if let Some((choice, frame, cost)) = best
-            && cost < DEAREST
+            && cost < dearest
         {
             placed.push(Placed { text: wish.text.clone(), role: wish.role, frame, choice });
         }

@@ -189,7 +189,8 @@ impl Reel {
             let is_named = |text: &str| is_named(scene.bodies.len(), text);
             canvas.wishes.retain(|wish| is_named(&wish.text));
             canvas.captions.retain(|caption| is_named(caption));
-            let labels = labels(&canvas, sheets.last().map_or(&[], |before| &before.labels));
+            let before = sheets.last().map_or(&[][..], |before| &before.labels);
+            let labels = labels(&canvas, before, scene.bodies.len() > ALL_NAMED);
             sheets.push(Sheet { canvas, labels });
         }
         let frames = sheets.iter().map(|sheet| svg::frame(&sheet.canvas, &sheet.labels));
@@ -242,7 +243,7 @@ fn is_named(bodies: usize, text: &str) -> bool {
     bodies <= ALL_NAMED || bodies <= MOST_NAMED && !is_repetition(text)
 }
 
-/// True if one of its indices is above 0.
+/// True if one of its indices is above 0, or stands for several.
 fn is_repetition(name: &str) -> bool {
-    name.split('[').skip(1).any(|part| part.starts_with(|digit: char| ('1'..='9').contains(&digit)))
+    name.split('[').skip(1).any(|part| part.starts_with(|digit: char| ('1'..='9').contains(&digit) || digit == '…'))
 }

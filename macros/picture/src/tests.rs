@@ -220,6 +220,34 @@ fn a_scene_by_hand_is_drawn_with_its_names() {
     assert_eq!(engine(1.0).svg(), picture.svg());
 }
 
+/// Texts of the labels of spokes about one axle, beside two arms on another one.
+fn labels_of_a_wheel(spokes: u32) -> Vec<String> {
+    let mut scene = Scene::new("Wheel");
+    let mut hinge = |body: &str, name: &str, x: f64, angle: f64| {
+        scene.body(body, Pose::plane(x, 0.0, angle));
+        scene.point(body, [1.0, 0.0]);
+        scene.joint(name, "revolute").point("P", GROUND, [x, 0.0]).point("Q", body, [0.0, 0.0]);
+    };
+    (0..spokes).for_each(|k| hinge(&format!("s{k}"), "axle", 0.0, f64::from(k) / f64::from(spokes) * core::f64::consts::TAU));
+    [0.5, 2.5].iter().zip(0..).for_each(|(angle, k)| hinge(&format!("arm[{k}]"), &format!("joint[{k}]"), 4.0, *angle));
+    let picture = scene.draw().expect("a picture");
+    picture.labels().iter().map(|label| label.text.clone()).collect()
+}
+
+#[test]
+fn in_a_crowd_labels_cover_one_body_at_most() {
+    let is_named = |spokes: u32| labels_of_a_wheel(spokes).iter().any(|label| label.contains("axle"));
+    assert!(is_named(12) && !is_named(40));
+}
+
+#[test]
+fn in_a_crowd_names_of_several_are_not_shown() {
+    let (few, many) = (labels_of_a_wheel(8), labels_of_a_wheel(24));
+    let several = |label: &&String| label.contains("joint[");
+    assert!(few.iter().any(|label| label == "arm[0]") && few.iter().find(several).is_some_and(|label| label.contains('…')), "{few:?}");
+    assert!(many.iter().any(|label| label == "arm[0]") && many.iter().find(several).is_none(), "{many:?}");
+}
+
 #[test]
 fn what_cannot_be_drawn_says_why() {
     let mut strange = engine(1.0);

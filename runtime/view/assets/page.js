@@ -130,6 +130,18 @@
   let printing = false;
   const width = () => (printing ? PAPER : Math.max(section.clientWidth, 120));
   const height = () => Math.round(Math.min(260, Math.max(150, (innerHeight * 0.72) / data.plots.length - 40)));
+  // States at which circles are at least so many pixels apart.
+  const APART = 14;
+  function apart(plot, values) {
+    let [left, top] = [-Infinity, -Infinity];
+    return values.flatMap((value, state) => {
+      if (value == null) return [];
+      const [x, y] = [plot.valToPos(data.values[state], "x"), plot.valToPos(value, "y")];
+      if (Math.hypot(x - left, y - top) < APART) return [];
+      [left, top] = [x, y];
+      return [state];
+    });
+  }
   let hue = data.traces.length;
   const point = (plot) => plot.setCursor({ left: plot.valToPos(data.values[shown], "x"), top: 1 }, false);
   const plots = data.plots.map((plot) => {
@@ -140,13 +152,17 @@
     const thin = { stroke: () => inks.faint, width: 1 };
     const font = "12px system-ui, sans-serif";
     const line = { stroke: () => inks.ink, grid: thin, ticks: { ...thin, size: 4 }, font, labelFont: font, labelSize: 18, values: ticks };
-    const series = plot.series.map(({ name, values }) => {
+    const none = () => null;
+    const series = plot.series.map(({ name, values, isDotted }) => {
       const write = format(values, 5);
       const value = (self, number) => write(number) + (number == null ? "" : unit(plot.unit));
+      if (isDotted) {
+        const points = { show: true, size: 6, width: 1.2, fill: "transparent", filter: (self) => apart(self, values) };
+        return { label: name, stroke: () => inks.ink, paths: none, points, value };
+      }
       const stroke = data.colours[hue++ % data.colours.length];
       return { label: name, stroke, width: 1.6, pxAlign: 0, points: { show: count < 40 }, value };
     });
-    const none = () => null;
     return new uPlot(
       {
         width: width(),

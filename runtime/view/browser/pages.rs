@@ -161,7 +161,12 @@ fn slider_crank() -> Result<View<SliderCrankState<f64>>, Box<dyn Error>> {
     let m = SliderCrank::default();
     let turn: Vec<_> = m.sweep(steps(0.0, 0.05, 180)).collect::<Result<_, _>>()?;
     let view = m.view(turn).title("Slider-crank").trace("middle of the rod", |state| m.middle(state).value);
-    let view = view.plot("travel", "mm", |state| 1e3 * m.travel(state).value).plot("speed", "m/s", |state| m.travel(state).rate);
+    let formula = |state: &SliderCrankState<f64>| {
+        let (sine, cosine) = state.crank().angle.sin_cos();
+        40.0 * cosine + (120.0_f64.powi(2) - (40.0 * sine).powi(2)).sqrt()
+    };
+    let view = view.plot("travel", "mm", |state| 1e3 * m.travel(state).value).against("formula", formula);
+    let view = view.plot("speed", "m/s", |state| m.travel(state).rate);
     Ok(view.plot("acceleration", "m/s²", |state| m.travel(state).acceleration))
 }
 

@@ -173,6 +173,23 @@ await test("a motion begins again at its end", () =>
     assert.ok(now > 0 && now < 120, `at ${now}`);
   }));
 
+await test("independent results are circles that are apart", () =>
+  opened("slider_crank.html", still, async (page) => {
+    // In the first diagram, columns of pixels in the colour of ink between its axes, as runs.
+    const runs = await page.evaluate(() => {
+      const [canvas, over] = ["canvas", ".u-over"].map((name) => document.querySelector(`.uplot ${name}`));
+      const [whole, inner] = [canvas, over].map((node) => node.getBoundingClientRect());
+      const [left, top] = [inner.left - whole.left + 2, inner.top - whole.top + 2].map((part) => Math.ceil(part * devicePixelRatio));
+      const [width, height] = [inner.width - 4, inner.height - 4].map((part) => Math.floor(part * devicePixelRatio));
+      const { data } = canvas.getContext("2d").getImageData(left, top, width, height);
+      const isInk = (at) => data[at + 3] > 200 && data[at] < 60 && data[at + 1] < 60 && data[at + 2] < 60;
+      const isMarked = (x) => Array.from({ length: height }, (_, y) => 4 * (y * width + x)).some(isInk);
+      const columns = Array.from({ length: width }, (_, x) => isMarked(x));
+      return columns.filter((marked, x) => marked && !columns[x - 1]).length;
+    });
+    assert.ok(runs > 10 && runs < 60, `${runs} circles`);
+  }));
+
 await test("values may be missing, tiny or huge, and the abscissa another one", () =>
   opened("gaps.html", still, async (page) => {
     const values = () => page.locator(".u-legend tr:not(:first-child) .u-value").allInnerTexts();

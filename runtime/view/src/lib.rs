@@ -6,6 +6,7 @@
 //!   omit the controls.
 //! * [`View::animated_svg`]: the drawing alone as one animated SVG without scripts, for a README.
 //! * [`View::still`]: one state, with other states pale below it, as the plate of a textbook.
+//! * `View::figure`, with the feature `figure`: the same with the diagrams below it, for print and for a README.
 //! * [`View::svg_frames`], and `View::png_frames` with the feature `png`: a file for each state.
 //!
 //! Mechanisms of `reuleaux` make a view by `mechanism.view(states)`, a method of the trait `Drawable`; this crate depends on scenes only,
@@ -57,11 +58,11 @@
 //!
 //! | mechanism | states | plotted curves | page | animated SVG | frames a second | script and layout for each |
 //! | --- | --- | --- | --- | --- | --- | --- |
-//! | four-bar | 1000 | 2 | 157 kB | 35 kB | 60 | 1.8 to 2.5 ms |
-//! | slider-crank | 181 | 3 | 93 kB | 19 kB | | |
-//! | Stewart platform | 241 | 4 | 135 kB | 143 kB | 60 | 2.2 to 3.3 ms |
-//! | chain of ten four-bars | 601 | 2 | 130 kB | 64 kB | 60 | 2.1 to 2.7 ms |
-//! | double pendulum | 361 | 4 | 109 kB | 19 kB | | |
+//! | four-bar | 1000 | 2 | 158 kB | 35 kB | 60 | 1.8 to 2.5 ms |
+//! | slider-crank | 181 | 4 | 96 kB | 19 kB | | |
+//! | Stewart platform | 241 | 4 | 136 kB | 143 kB | 60 | 2.2 to 3.3 ms |
+//! | chain of ten four-bars | 601 | 2 | 131 kB | 64 kB | 60 | 2.1 to 2.7 ms |
+//! | double pendulum | 361 | 4 | 110 kB | 19 kB | | |
 //!
 //! Of each page 51 kB are uPlot, by Leon Sorokin, which draws the diagrams; it is vendored with its licence (MIT) in `assets/uplot`.
 //! Pages without diagrams omit it.
@@ -71,6 +72,8 @@
 
 mod animation;
 mod columns;
+#[cfg(feature = "figure")]
+mod figure;
 mod json;
 mod page;
 #[cfg(feature = "png")]

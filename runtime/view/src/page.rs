@@ -63,9 +63,10 @@ fn data(recording: &Recording, drawn: &Drawn) -> String {
         json::list([axis(0), axis(1)].map(|values| columns.number(&values).to_string()))
     }));
     let plots = recording.plots.iter().map(|plot| {
-        let series = plot.series.iter().map(|(name, values)| {
-            let values = json::list(values.iter().map(|value| json::number(*value, DIGITS)));
-            json::object([("name", json::text(name)), ("values", values)])
+        let series = plot.series.iter().map(|series| {
+            let values = json::list(series.values.iter().map(|value| json::number(*value, DIGITS)));
+            let dotted = series.is_dotted.then(|| ("isDotted", "true".to_owned()));
+            json::object([("name", json::text(&series.name)), ("values", values)].into_iter().chain(dotted))
         });
         json::object([("unit", json::text(&plot.unit)), ("series", json::list(series))])
     });

@@ -36,7 +36,16 @@ pub(crate) struct Trace {
 #[derive(Clone, Debug)]
 pub(crate) struct Plot {
     pub(crate) unit: String,
-    pub(crate) series: Vec<(String, Vec<f64>)>,
+    pub(crate) series: Vec<Series>,
+}
+
+/// A quantity.
+#[derive(Clone, Debug)]
+pub(crate) struct Series {
+    pub(crate) name: String,
+    pub(crate) values: Vec<f64>,
+    /// True for an independent result, which is drawn as separate points.
+    pub(crate) is_dotted: bool,
 }
 
 /// Playing speed.
@@ -88,7 +97,7 @@ impl Recording {
     }
 
     /// Checks that the abscissa is finite and strictly increasing.
-    fn check(&self) -> Result<(), Unviewable> {
+    pub(crate) fn check(&self) -> Result<(), Unviewable> {
         let values = &self.abscissa.values;
         let before = [f64::NEG_INFINITY].into_iter().chain(values.iter().copied());
         match before.zip(values).position(|(before, now)| !(now.is_finite() && *now > before)) {

@@ -32,30 +32,43 @@ impl Names<'_> {
 
 /// A frame as a file of its own, on white, in colours that any program understands.
 pub(crate) fn svg(recording: &Recording, drawn: &Drawn, frame: usize) -> String {
-    phases(recording, drawn, frame, &[])
+    let (head, foot) = (head(recording, drawn, ""), drawn.film.foot());
+    plain(format!("{head}{}{}{foot}</svg>\n", traces(drawn), painted(drawn, frame)))
 }
 
-/// Bodies are drawn pale in the other phases.
-const PALE: &str = ".reuleaux .pale{opacity:.22}";
+/// Bodies are drawn pale and thin in the other phases.
+pub(crate) const PALE: &str =
+    ".reuleaux .pale{opacity:.3}.reuleaux .pale .b{stroke-width:3}.reuleaux .pale .q{stroke-width:2;fill-opacity:.15}";
 
-/// A frame as a file of its own, above the bodies of other frames.
-pub(crate) fn phases(recording: &Recording, drawn: &Drawn, frame: usize, others: &[usize]) -> String {
-    let mut page = head(recording, drawn, if others.is_empty() { "" } else { PALE });
-    for other in others {
-        page += "<g class=\"pale\">\n";
-        drawn.template.painted(*other).filter(|element| is_body(element)).for_each(|element| page += &mark(element, *other));
-        page += "</g>\n";
+/// The first frame as a file of its own, above the bodies of the next `others` frames.
+pub(crate) fn phases(recording: &Recording, drawn: &Drawn, others: usize) -> String {
+    let head = head(recording, drawn, if others == 0 { "" } else { PALE });
+    plain(format!("{head}{}</svg>\n", above(drawn, others)))
+}
+
+/// The shapes of the first frame, with the traces, above the bodies of the next `others` frames; and the captions.
+pub(crate) fn above(drawn: &Drawn, others: usize) -> String {
+    let mut shapes = String::new();
+    for other in 1..=others {
+        shapes += "<g class=\"pale\">\n";
+        drawn.template.painted(other).filter(|element| is_body(element)).for_each(|element| shapes += &mark(element, other));
+        shapes += "</g>\n";
     }
-    page += &traces(drawn);
-    for element in drawn.template.painted(frame) {
-        page += &mark(element, frame);
-    }
-    let resolved = page.replace("var(--main-color,#1c1c1c)", "#1c1c1c").replace("var(--main-background-color,#fff)", "#fff");
+    shapes + &traces(drawn) + &painted(drawn, 0) + drawn.film.foot()
+}
+
+/// All shapes of a frame.
+fn painted(drawn: &Drawn, frame: usize) -> String {
+    drawn.template.painted(frame).map(|element| mark(element, frame)).collect()
+}
+
+/// A picture in colours that any program understands, black on white.
+pub(crate) fn plain(picture: String) -> String {
+    let resolved = picture.replace("var(--main-color,#1c1c1c)", "#1c1c1c").replace("var(--main-background-color,#fff)", "#fff");
     let resolved = resolved.replace("var(--ink)", "#1c1c1c").replace("var(--paper)", "#fff");
     // Colours stand twice in a rule, for programs that do not know variables.
     let colours = ["stroke:#1c1c1c", "fill:#1c1c1c", "stroke:#fff", "fill:#fff"];
-    let resolved = colours.iter().fold(resolved, |page, colour| page.replace(&format!("{colour};{colour}"), colour));
-    format!("{resolved}{}</svg>\n", drawn.film.foot())
+    colours.iter().fold(resolved, |picture, colour| picture.replace(&format!("{colour};{colour}"), colour))
 }
 
 /// True for the shapes of bodies: bars, plates, blocks, wheels, forks.

@@ -11,6 +11,9 @@ use crate::template::Template;
 use crate::tokens::{Meaning, decimal, join, split};
 use crate::{Unviewable, View, json};
 
+#[cfg(feature = "figure")]
+mod figures;
+
 /// A crank, a rod and a piston, the crank at `angle`.
 fn engine(angle: f64) -> Scene {
     let (crank, rod) = (0.05, 0.2);
@@ -330,5 +333,17 @@ fn frames_have_pixels() -> Result<(), Unviewable> {
     fs::remove_dir_all(&folder)?;
     assert_eq!(&png[1..4], b"PNG");
     assert_eq!(png[16..20], 640_u32.to_be_bytes());
+    Ok(())
+}
+
+#[test]
+fn independent_results_are_marked_in_the_page() -> Result<(), Unviewable> {
+    let view = view(12).against("closed form", |angle| angle + 0.0);
+    let [.., plot] = view.recording.plots.as_slice() else { panic!("there are diagrams") };
+    assert_eq!(plot.series.iter().map(|series| series.is_dotted).collect::<Vec<_>>(), [false, true]);
+    assert_eq!(plot.series[0].values, plot.series[1].values);
+    assert_eq!(view.to_html()?.matches("\"isDotted\":true").count(), 1);
+    let alone = View::new("Engine", turn(3), |angle| *angle, |angle| engine(*angle)).against("result", |angle| *angle);
+    assert_eq!(alone.recording.plots.len(), 1);
     Ok(())
 }

@@ -29,6 +29,8 @@ pub enum Unviewable {
     NoFont,
     /// A frame could not be rendered as pixels.
     Pixels(String),
+    /// A diagram could not be drawn.
+    Diagram(String),
     /// A file could not be written.
     File(io::Error),
 }
@@ -41,6 +43,7 @@ impl Display for Unviewable {
             Unviewable::Trace { name, state } => write!(f, "`{name}` has no place at state {state}"),
             Unviewable::NoFont => write!(f, "there is no font to draw words with"),
             Unviewable::Pixels(reason) => write!(f, "a frame has no pixels: {reason}"),
+            Unviewable::Diagram(reason) => write!(f, "there is no diagram: {reason}"),
             Unviewable::File(reason) => reason.fmt(f),
         }
     }

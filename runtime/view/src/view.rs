@@ -6,7 +6,7 @@ use std::path::Path;
 use reuleaux_picture::{Scene, Vector};
 
 use crate::point::Point;
-use crate::recording::{Abscissa, Plot, Recording, Trace};
+use crate::recording::{Abscissa, Plot, Recording, Series, Trace};
 use crate::unviewable::Unviewable;
 use crate::{animation, page, still};
 
@@ -58,15 +58,28 @@ impl<S> View<S> {
     /// Plots a quantity in a diagram of its own. The curve has gaps where the quantity is not finite.
     #[must_use]
     pub fn plot<V: Into<f64>>(mut self, name: &str, unit: &str, of: impl Fn(&S) -> V) -> View<S> {
-        let series = vec![(name.to_owned(), self.values(of))];
+        let series = vec![self.series(name, of)];
         self.recording.plots.push(Plot { unit: unit.to_owned(), series });
         self
     }
 
     /// Plots a quantity of the same unit in the last diagram; if there is none, in a new diagram without a unit.
     #[must_use]
-    pub fn and<V: Into<f64>>(mut self, name: &str, of: impl Fn(&S) -> V) -> View<S> {
-        let series = (name.to_owned(), self.values(of));
+    pub fn and<V: Into<f64>>(self, name: &str, of: impl Fn(&S) -> V) -> View<S> {
+        let series = self.series(name, of);
+        self.with(series)
+    }
+
+    /// Plots an independent result for the curve before, in the same diagram: as circles that are not connected, at so few states that they
+    /// stay apart. Values that are not finite have no circle.
+    #[must_use]
+    pub fn against<V: Into<f64>>(self, name: &str, of: impl Fn(&S) -> V) -> View<S> {
+        let series = Series { is_dotted: true, ..self.series(name, of) };
+        self.with(series)
+    }
+
+    /// Adds a quantity to the last diagram.
+    fn with(mut self, series: Series) -> View<S> {
         match self.recording.plots.last_mut() {
             Some(plot) => plot.series.push(series),
             None => self.recording.plots.push(Plot { unit: String::new(), series: vec![series] }),
@@ -133,12 +146,30 @@ impl<S> View<S> {
     /// # Errors
     /// The reason why the states cannot be shown.
     pub fn still(&self, state: usize, others: &[usize]) -> Result<String, Unviewable> {
+        let few = self.few(state, others);
+        Ok(still::phases(&few, &few.drawing()?, others.len()))
+    }
+
+    /// A figure for print, 540 picture units wide, on white and without scripts: [`still`](Self::still), and below it the diagrams of the
+    /// page, with axes, numbers and names. The same bytes on every run.
+    ///
+    /// Axes have numbers at multiples of 1, 2 or 5 times a power of ten, axes in ° from 10° on at multiples of 10, 15, 30, 45, 60, 90, …;
+    /// with large and small numbers, the unit has a power of ten.
+    ///
+    /// # Errors
+    /// The reason why the states cannot be shown: `figure` has the same as [`to_html`](Self::to_html).
+    #[cfg(feature = "figure")]
+    pub fn figure(&self, state: usize, others: &[usize]) -> Result<String, Unviewable> {
+        self.recording.check()?;
+        let few = self.few(state, others);
+        crate::figure::svg(&self.recording, &few, &few.drawing()?)
+    }
+
+    /// A state and, after it, others. A number without a state stands for the last one.
+    fn few(&self, state: usize, others: &[usize]) -> Recording {
         let last = self.states.len().saturating_sub(1);
-        let others: Vec<usize> = others.iter().map(|other| *other.min(&last)).collect();
-        let chosen: Vec<usize> = [state.min(last)].into_iter().chain(others).collect();
-        let few = self.recording.chosen(&chosen);
-        let places: Vec<usize> = (1..chosen.len()).collect();
-        Ok(still::phases(&few, &few.drawing()?, 0, &places))
+        let chosen: Vec<usize> = [state].iter().chain(others).map(|state| *state.min(&last)).collect();
+        self.recording.chosen(&chosen)
     }
 
     /// Gives all states a spring between two points, each with its body and its position in the frame of the body (m).
@@ -188,6 +219,10 @@ impl<S> View<S> {
             fs::write(names.of(frame), painter.png(&still::svg(&self.recording, &drawn, frame), width)?)?;
         }
         Ok(())
+    }
+
+    fn series<V: Into<f64>>(&self, name: &str, of: impl Fn(&S) -> V) -> Series {
+        Series { name: name.to_owned(), values: self.values(of), is_dotted: false }
     }
 
     fn values<V: Into<f64>>(&self, of: impl Fn(&S) -> V) -> Vec<f64> {

@@ -2,6 +2,8 @@
 
 use std::f64::consts::{PI, TAU};
 
+use reuleaux::nalgebra::Vector3;
+
 use super::{Place, polar};
 
 /// Pressure angle of the usual tooth (rad).
@@ -37,4 +39,17 @@ pub fn gear(centre: Place, teeth: u32, module: f64, angle: f64) -> Vec<Place> {
 #[must_use]
 pub fn meshing(direction: f64, pinion: f64, wheel: f64, tooth: f64) -> f64 {
     direction + PI - (tooth - direction) * pinion / wheel + PI / wheel
+}
+
+/// The rim of a bevel gear with its teeth, `back` (m) from the common apex along a coordinate axis.
+#[must_use]
+pub fn bevel(back: Vector3<f64>, radius: f64, teeth: u32) -> Vec<Vector3<f64>> {
+    let other = back.abs().normalize().cross(&Vector3::z());
+    let tooth = |k: u32| {
+        [(-0.15, 1.07), (0.15, 1.07), (0.3, 0.93), (0.7, 0.93)].map(|(part, size)| {
+            let angle = TAU * (f64::from(k) + part) / f64::from(teeth);
+            back + (other * angle.cos() + Vector3::z() * angle.sin()) * radius * size
+        })
+    };
+    (0..teeth).flat_map(tooth).collect()
 }
