@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use reuleaux::mechanism;
 use reuleaux_tests::common::declared::{Declared, Instant};
 use reuleaux_tests::laws::Programs;
 
@@ -154,4 +155,54 @@ fn parameters_that_break_the_program_are_refused() {
     assert!(with(-0.1, 0.5).unwrap_err().contains("the duration of a segment is positive"));
     assert!(with(5.0, 0.5).unwrap_err().contains("the duration of a segment is positive"));
     assert!(with(3.0, 0.0).unwrap_err().contains("the duration of a segment is positive"));
+}
+
+mechanism! {
+    /// A lever on a cam that rises within 8° at the end of a turn, once more on the same cam.
+    pub(crate) mechanism Lever {
+        param off: Length = 0mm;
+        function outline(psi: Angle) -> Length = segments(90deg - psi, 40mm, [
+            dwell(300deg), rise(1mm, 8deg, polynomial_4567), fall(1mm, 52deg, polynomial_4567),
+        ], periodic);
+        ground { point V = (60mm, 0mm); }
+        body cam { }
+        body lever { point F = (70mm, 0mm);  point G = (70mm + off, 0mm);  start angle = 145deg; }
+        joint pivot = revolute(ground.V, lever.position);
+        joint axle = revolute((0mm, 0mm), cam.position);
+        joint contact = cam_knife(cam.position, lever.F, outline);
+        redundant joint again = cam_knife(cam.position, lever.G, outline);
+        drive motor = drive_angle(cam, 1rad_s * t);
+    }
+}
+
+/// A polynomial between 0 and 1 is none of the numbers that its powers would be elsewhere in the turn.
+#[test]
+fn a_short_rise_at_the_end_of_a_turn_is_no_dead_point() {
+    let lever = Lever::default();
+    let rise = |u: f64| u.powi(4) * (35.0 - 84.0 * u + 70.0 * u * u - 20.0 * u.powi(3));
+    let degree = TAU / 360.0;
+    let mut is_lifted = false;
+    for state in lever.sweep((0..=700).map(|step| 0.01 * f64::from(step))) {
+        let state = state.expect("a state");
+        assert!(state.condition < 1e3, "{} at t = {}", state.condition, state.t);
+        let tip = state.lever().point([0.07, 0.0].into()).value;
+        // From the cam's own angle of contact, as the program has it.
+        let theta = (90.0 * degree - (tip.y.atan2(tip.x) - state.cam().angle)).rem_euclid(TAU);
+        let lift = match theta / degree {
+            angle if angle < 300.0 => 0.0,
+            angle if angle < 308.0 => rise((angle - 300.0) / 8.0),
+            angle => 1.0 - rise((angle - 308.0) / 52.0),
+        };
+        assert!((tip.norm() - 0.04 - 0.001 * lift).abs() < 1e-14, "t = {}", state.t);
+        is_lifted |= lift > 0.9;
+    }
+    assert!(is_lifted);
+}
+
+#[test]
+fn a_contact_that_does_not_fit_is_refused_on_such_a_cam() {
+    for off in [1e-9, 1e-6] {
+        let failure = Lever { off }.solve(0.3).expect_err("two contacts");
+        assert!(matches!(failure.cause, reuleaux::Cause::DoesNotHold { .. }), "{failure}");
+    }
 }

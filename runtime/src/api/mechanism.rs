@@ -207,6 +207,10 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     /// [`update_derivatives`](Self::update_derivatives) saves moving the result. Where the derivative of an acceleration needs the
     /// third derivative of a Rust function, which is unknown, it is NaN.
     ///
+    /// With [inputs](macro@crate::mechanism#input) the values and rates at hand are those of the mechanism, not those of the state: write
+    /// `mechanism.with_inputs_of(&state).derivatives(…)`, and set `varied.inputs` before the next
+    /// [`update_derivatives`](Self::update_derivatives). Rates of other inputs give other rates.
+    ///
     /// Near a dead point or a change point a derivative loses more digits than its quantity, by those of the condition of the Jacobian at
     /// this place. A state at a change point, or next to one where joints are redundant, was extrapolated from states on both sides, and its
     /// [`condition`](crate::Values::condition) is that of these: its derivatives by parameters may be lost there.

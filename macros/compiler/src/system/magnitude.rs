@@ -6,6 +6,7 @@
 use crate::expr::{Arena, Binary, Expr, Leaf, Node, Unary};
 use crate::quantity::Dim;
 use crate::system::Coordinate;
+use crate::system::pieces::in_pieces;
 use std::collections::BTreeMap;
 
 /// Approximate sum of the magnitudes of the terms of an expression, without the given unknowns: sines, cosines and unknown angles count
@@ -42,6 +43,9 @@ fn distance(arena: &Arena, root: Expr) -> Option<(Vec<Expr>, Expr)> {
 }
 
 fn sum_of_terms(arena: &mut Arena, root: Expr, unknowns: &[usize], all: &[Coordinate]) -> Expr {
+    if let Some(size) = in_pieces(arena, root, unknowns, all) {
+        return size;
+    }
     let mut sizes: BTreeMap<Expr, Expr> = BTreeMap::new();
     let mut is_moving: BTreeMap<Expr, bool> = BTreeMap::new();
     let (zero, one) = (arena.integer(0), arena.integer(1));

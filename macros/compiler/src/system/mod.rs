@@ -18,6 +18,7 @@ mod magnitude;
 mod own_axes;
 mod parallel;
 mod pattern;
+mod pieces;
 mod pins;
 mod rows;
 mod spins;
