@@ -1,6 +1,6 @@
 //! States with inputs are those of laws of time with the same values, rates and accelerations.
 
-use reuleaux::{Motion, mechanism};
+use reuleaux::{Cause, Mechanism as _, Motion, mechanism};
 
 mechanism! {
     /// A crank-rocker whose crank is measured.
@@ -164,4 +164,43 @@ fn derivatives_by_time_of_any_function_of_inputs_follow_the_chain_rule() {
     let outside = FunctionsInputs { reach: Motion::at(0.2), ..inputs };
     let refused = mechanism.solve_from(t, &state, outside).unwrap_err().to_string();
     assert_eq!(refused, "`Functions` cannot be solved with `reach` = 0.2 m: it must lie in 50 mm ..= 150 mm");
+}
+
+#[test]
+fn derivatives_are_at_the_inputs_of_the_state_or_refused() {
+    mechanism! {
+        pub mechanism Pointer {
+            input theta: Angle;
+            param gain: Number = 2;
+            param reach: Length = 300mm;
+            body arm { point P = (reach, 0mm); }
+            joint axle = revolute(ground.position, arm.position);
+            drive turn = { arm.angle == gain * theta; }
+            output tip = arm.P;
+        }
+    }
+    let mechanism = Pointer::default();
+    let (theta, rate) = (0.4, 1.5);
+    let state = mechanism.solve(0.0, PointerInputs { theta: Motion::new(theta, rate, -2.0) }).unwrap();
+    let (varied, there) = mechanism.with_inputs_of(&state).derivatives(&state, |m| [&mut m.gain]).unwrap();
+    let tip = varied.tip(&PointerState(there, varied.inputs));
+    // x = r cos gθ, ẋ = −r g θ̇ sin gθ
+    let (sine, cosine) = (2.0f64 * theta).sin_cos();
+    assert!((tip.value.x.by[0] + 0.3 * theta * sine).abs() < 1e-16);
+    assert!((tip.rate.x.by[0] + 0.3 * rate * (sine + 2.0 * theta * cosine)).abs() < 4e-16);
+
+    let others = [Motion::new(0.5, rate, -2.0), Motion::new(theta, 0.0, -2.0), Motion::new(theta, rate, 0.0)];
+    for other in others {
+        let mut told = mechanism.with_inputs_of(&state);
+        told.inputs.theta = other;
+        let failure = told.derivatives(&state, |m| [&mut m.gain]).expect_err("these are other inputs");
+        assert_eq!(failure.cause, Cause::OtherInputs, "{other:?}");
+    }
+    let mut varied = varied;
+    varied.inputs.theta.rate = 0.0.into();
+    let failure = mechanism.with_inputs_of(&state).derivatives_along(&state, &varied).expect_err("these are other inputs");
+    assert_eq!(failure.cause, Cause::OtherInputs);
+    let sentence = "`Pointer` does not have the inputs with which this state at t = 0 s was solved, or not its parameters: write \
+                    `mechanism.with_inputs_of(&state)` instead of `mechanism`";
+    assert_eq!(failure.to_string(), sentence);
 }

@@ -209,7 +209,7 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     ///
     /// With [inputs](macro@crate::mechanism#input) the values and rates at hand are those of the mechanism, not those of the state: write
     /// `mechanism.with_inputs_of(&state).derivatives(…)`, and set `varied.inputs` before the next
-    /// [`update_derivatives`](Self::update_derivatives). Rates of other inputs give other rates.
+    /// [`update_derivatives`](Self::update_derivatives). Other inputs are refused ([`Cause::OtherInputs`](crate::Cause::OtherInputs)).
     ///
     /// Near a dead point or a change point a derivative loses more digits than its quantity, by those of the condition of the Jacobian at
     /// this place. A state at a change point, or next to one where joints are redundant, was extrapolated from states on both sides, and its

@@ -300,6 +300,7 @@ where
     const NAME: &'static str = <M as Description<T, WHOLE>>::NAME;
     const COORDINATES: &'static [Coordinate] = &Self::NAMES;
     const ROWS: &'static [Row] = <M as Description<T, WHOLE>>::ROWS;
+    const HAS_INPUTS: bool = <M as Description<T, WHOLE>>::HAS_INPUTS;
 
     fn start(&self) -> SVector<T, N> {
         let start = self.mechanism.start();

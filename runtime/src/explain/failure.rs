@@ -110,6 +110,11 @@ impl<T: Float> Cause<T> {
             ),
             Cause::NotFinite { of } => write!(f, "`{name}` is not finite at t = {t} s: {of}"),
             Cause::ParameterOutOfRange(parameter) => write!(f, "`{name}` cannot be solved with {parameter}"),
+            Cause::OtherInputs => write!(
+                f,
+                "`{name}` does not have the inputs with which this state at t = {t} s was solved, or not its parameters: write \
+                 `mechanism.with_inputs_of(&state)` instead of `mechanism`"
+            ),
             Cause::NoConvergence { correction, iterations } => write!(
                 f,
                 "`{name}` does not settle at t = {t} s: after {iterations} corrections they are still {:.1e} long",

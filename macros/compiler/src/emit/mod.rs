@@ -1,9 +1,7 @@
 //! From a plan to tokens. Cannot fail and decides nothing.
 //!
-//! The type itself comes last: its page has a picture, which would stand in the way of the code.
-//!
-//! The user's identifiers keep their spans, so that an editor finds its way back; locals of
-//! generated code are hygienic, and all else is named by its whole path, also `f64`: a user may have a type of that name.
+//! The type itself comes last: its page has a picture, which would stand in the way of the code. The user's identifiers keep their spans, so that
+//! an editor finds its way back; locals are hygienic, and all else, even `f64`, has its whole path: a user may have a type of that name.
 
 mod arrays;
 mod block;

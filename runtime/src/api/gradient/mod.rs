@@ -20,6 +20,7 @@ use crate::explain::Failure;
 use crate::linear::{Elimination, FactorReal, Factors, InOrder, Linear, Small, Sparse};
 use crate::names::{self, Cause, Coordinate, CoordinateKind, Culprit, Description};
 use crate::newton::{Block, Evaluate, Iterate, Solved, StepError};
+use crate::number::order::greater;
 use crate::number::{Float, Real, row};
 use crate::solve::{ColdStart, Family, Solver, SolverReal, Stages, lengths_of};
 use crate::state::{State, Values};
@@ -261,6 +262,7 @@ where
     match varied.stages(Gradient::constant(state.t), &mut Solver::cold(&differentiation)) {
         Ok(found) => (there.q, there.qd, there.qdd) = (found.q, found.qd, found.qdd),
         Err(StepError::NotFinite(of)) => return Err(Cause::NotFinite { of }),
+        Err(StepError::Far | StepError::Open(_)) if E::HAS_INPUTS => return Err(Cause::OtherInputs),
         Err(StepError::Far | StepError::Open(_)) => return Err(Cause::NoConvergence { correction: T::of(OFF), iterations: 0 }),
     }
     let is_finite = |entry: Option<&Gradient<T, P>>| entry.is_some_and(|entry| entry.value.is_finite());
@@ -271,8 +273,33 @@ where
     };
     match bad {
         Some(index) => Err(Cause::NotFinite { of: Culprit::Coordinate(names::coordinate(E::COORDINATES, index)) }),
+        None if E::HAS_INPUTS && !has_values_of(there, state, &differentiation) => Err(Cause::OtherInputs),
         None => Ok(()),
     }
+}
+
+/// Whether the values of q, q̇ and q̈ are those of a state, up to its rounding errors: with other inputs they are not.
+///
+/// ```text
+/// |Δq| ≤ η max(|q|, 1)      |Δq̇| ≤ η |q̇|      |Δq̈| ≤ κ η (|q̈| + |q̇|²)      η = √ε + 64 κ ε
+/// ```
+///
+/// with the largest scaled entries of each vector.
+#[cold]
+#[inline(never)]
+fn has_values_of<T: Float, const P: usize, const N: usize>(
+    there: &Values<Gradient<T, P>, N>,
+    state: &State<T, N>,
+    of: &Differentiation<'_, T, N>,
+) -> bool {
+    let scale = |k: usize| if names::coordinate(of.coordinates, k).kind == CoordinateKind::Length { of.lengths.1 } else { T::of(1.0) };
+    let largest = |entry: &dyn Fn(usize) -> T| (0..N).fold(T::of(0.0), |largest, k| greater(largest, entry(k).abs() * scale(k)));
+    let off = |found: &SVector<Gradient<T, P>, N>, known: &SVector<T, N>| largest(&|k| found[k].value - known[k]);
+    let [place, speed, acceleration] = [&state.q, &state.qd, &state.qdd].map(|known| largest(&|k| known[k]));
+    let share = T::ROOT_EPSILON + T::of(64.0) * state.condition * T::EPSILON;
+    off(&there.q, &state.q) <= share * (T::of(1.0) + place)
+        && off(&there.qd, &state.qd) <= share * speed
+        && off(&there.qdd, &state.qdd) <= share * state.condition * (acceleration + speed * speed)
 }
 
 /// A mechanism and its state over gradients.
