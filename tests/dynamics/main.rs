@@ -5,7 +5,6 @@ mod compare;
 mod bricard;
 mod conserved;
 mod derivatives;
-mod events;
 mod forces;
 mod integrated;
 mod kept;

@@ -22,7 +22,6 @@ mod equations;
 mod event;
 mod explicit;
 mod integrator;
-mod looks;
 mod method;
 mod partition;
 mod places;
