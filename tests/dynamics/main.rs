@@ -5,6 +5,7 @@ mod compare;
 mod bricard;
 mod conserved;
 mod derivatives;
+mod events;
 mod forces;
 mod integrated;
 mod kept;

@@ -1,6 +1,7 @@
 //! Instants at which an event changes its sign.
 
 use super::equations::Dynamics;
+use super::looks::{LOOKS, Looks, changes};
 use super::method::Method;
 use super::places::{picked, put};
 use super::step::land;
@@ -9,15 +10,20 @@ use crate::number::Scalar;
 use crate::state::State;
 
 /// Most steps of the search for an instant.
-const SEARCH: usize = 60;
+const SEARCH: usize = 200;
+
+/// The search halves where it has not come nearer by half within so many steps.
+const SLOW: usize = 3;
+
+/// Part of a step, the value of the event there, and the state.
+type Instant<T, const N: usize> = (T, T, State<T, N>);
 
 /// Corrections of the derivatives of an instant; each leaves a part √ε of their error.
 const DERIVATIVES: usize = 2;
 
-/// How often an event is looked at in a step.
-const LOOKS: usize = 8;
-
 /// The first state between two others at which an event changes its sign; none if it does not.
+///
+/// Interpolated states say about where that is. What is found is told by states at ends of steps: near an instant both may differ in sign.
 pub(super) fn first_event<K: Method, T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     from: &State<T, N>,
@@ -29,22 +35,52 @@ where
     S: Dynamics<T, N, I, M, R>,
 {
     let whole = to.t - from.t;
-    let is_other = |one: T, two: T| one < T::ZERO && two >= T::ZERO || one > T::ZERO && two <= T::ZERO;
-    let (mut low, mut part) = ((T::ZERO, event(from)), T::ZERO);
-    for look in 1..=LOOKS {
-        part = part + T::of(1.0 / LOOKS as f64);
-        let value = if look == LOOKS { event(to) } else { event(&between(mechanism, from, to, part)) };
-        if !(low.1.is_finite() && value.is_finite()) {
-            return Err(Stopped::NotFinite { time: from.t + part * whole });
+    let exactly = |part: T| {
+        if part == T::ZERO {
+            return Ok((part, event(from), from.clone()));
+        } else if part == T::of(1.0) {
+            return Ok((part, event(to), to.clone()));
         }
-        let high = (part * whole, value);
-        if is_other(low.1, high.1) {
-            let found = locate::<K, T, S, N, I, M, R>(mechanism, from, (low, high), event)?;
-            if found.is_some() {
-                return Ok(found);
+        let trial = K::trial(mechanism, from, part * whole)?;
+        land(mechanism, from, &trial, part * whole, None).map(|(state, _)| (part, event(&state), state))
+    };
+    let look = |part| event(&between(mechanism, from, to, part));
+    let mut looks = Looks::new(|number, part| match number {
+        0 => event(from),
+        LOOKS => event(to),
+        _ => look(part),
+    });
+    if let Some((part, _)) = looks.all().iter().find(|look| !look.1.is_finite()) {
+        return Err(Stopped::NotFinite { time: from.t + *part * whole });
+    }
+    looks.at_turns(look, |part| exactly(part).map(|found| found.1))?;
+    let looks = looks.all();
+    let Some(mut low) = looks.first().copied() else { return Ok(None) };
+    for (number, high) in looks.iter().enumerate().skip(1) {
+        if !changes(low.1, high.1) {
+            low = *high;
+            continue;
+        }
+        let beyond = exactly(high.0)?;
+        let mut before = exactly(low.0)?;
+        let mut is_first = !changes(low.1, before.1);
+        if is_first && !changes(before.1, beyond.1) {
+            low = (beyond.0, beyond.1);
+            continue;
+        }
+        let mut after = beyond;
+        // The event has passed zero already where it seemed not to have.
+        for earlier in looks.iter().take(number.saturating_sub(1)).rev() {
+            if is_first {
+                break;
             }
+            (after, before) = (before, exactly(earlier.0)?);
+            is_first = changes(before.1, after.1);
         }
-        low = high;
+        if changes(before.1, after.1) {
+            return locate::<K, T, S, N, I, M, R>(mechanism, from, (before, after), (whole, &exactly), event).map(Some);
+        }
+        low = *high;
     }
     Ok(None)
 }
@@ -88,34 +124,32 @@ where
     State::new(t, q, qd, qdd)
 }
 
-/// The state at which an event has the value zero, by steps from the same state; none if its values there do not differ in sign.
+/// The state at which an event has the value zero, between two at which it has different signs.
+///
+/// * `exactly`: given, the state at a part of the step whose size is given too.
+#[allow(clippy::type_complexity)] // Parts, values and states.
 fn locate<K: Method, T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     from: &State<T, N>,
-    (low, high): ((T, T), (T, T)),
+    (before, after): (Instant<T, N>, Instant<T, N>),
+    (whole, exactly): (T, &impl Fn(T) -> Result<Instant<T, N>, Stopped<T>>),
     event: &impl Fn(&State<T, N>) -> T,
-) -> Result<Option<State<T, N>>, Stopped<T>>
+) -> Result<State<T, N>, Stopped<T>>
 where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    let at = |h: T| {
-        let trial = K::trial(mechanism, from, h)?;
-        land(mechanism, from, &trial, h, None).map(|(state, _)| (h, event(&state), state))
-    };
-    let mut found = at(high.0)?;
-    let mut high = (high.0, found.1);
-    let mut low = if low.0 == T::ZERO { low } else { at(low.0).map(|(h, value, _)| (h, value))? };
-    if low.1 < T::ZERO && high.1 < T::ZERO || low.1 > T::ZERO && high.1 > T::ZERO {
-        return Ok(None);
-    }
-    // Regula falsi with halved weights (Illinois).
-    let mut last = T::ZERO;
+    let (mut low, mut high) = ((before.0, before.1), (after.0, after.1));
+    let (mut found, mut last, mut slow, mut width) = (after, T::ZERO, 0, high.0 - low.0);
+    // Regula falsi with halved weights (Illinois), and halves where it is slow.
     for _ in 0..SEARCH {
-        if high.1 == T::ZERO || (high.0 - low.0).abs() <= T::EPSILON * (from.t.abs() + high.0.abs()) {
+        if high.1 == T::ZERO || ((high.0 - low.0) * whole).abs() <= T::EPSILON * (from.t.abs() + (high.0 * whole).abs()) {
             break;
         }
-        let here = at((low.0 * high.1 - high.0 * low.1) / (high.1 - low.1))?;
+        let half = (low.0 + high.0) * T::of(0.5);
+        let by_values = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
+        let is_within = by_values > low.0 && by_values < high.0 && slow < SLOW;
+        let here = exactly(if is_within { by_values } else { half })?;
         let is_like_high = here.1 == T::ZERO || (here.1 > T::ZERO) == (high.1 > T::ZERO);
         if is_like_high {
             high = (here.0, here.1);
@@ -127,8 +161,17 @@ where
             high.1 = if last < T::ZERO { high.1 * T::of(0.5) } else { high.1 };
             last = T::of(-1.0);
         }
+        slow += 1;
+        if high.0 - low.0 <= width * T::of(0.5) {
+            (slow, width) = (0, high.0 - low.0);
+        }
     }
     // The search compares values: how the instant depends on parameters follows by Newton's method.
+    let at = |h: T| {
+        let trial = K::trial(mechanism, from, h)?;
+        land(mechanism, from, &trial, h, None).map(|(state, _)| (h, event(&state), state))
+    };
+    let mut found = (found.0 * whole, found.1, found.2);
     for _ in 0..DERIVATIVES {
         let (h, value, _) = found;
         let by_parameters = value - value.without_derivatives();
@@ -139,5 +182,5 @@ where
         let slope = (later.1 - value).without_derivatives() / (T::ROOT_EPSILON * h).without_derivatives();
         found = at(h - by_parameters / slope)?;
     }
-    Ok(Some(found.2))
+    Ok(found.2)
 }

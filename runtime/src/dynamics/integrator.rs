@@ -9,7 +9,7 @@ use super::explicit::Explicit;
 use super::method::Method;
 use super::places::{largest, picked};
 use super::project::refresh;
-use super::rank::keeps_rank;
+use super::rank::{keeps_rank, too_short};
 use super::step::{Reached, error, land};
 use super::stiff::Stiff;
 use super::stopped::Stopped;
@@ -124,8 +124,8 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
     }
 
     /// Takes a state to the first instant before `t` at which `event` changes its sign, located to rounding, or to `t`. True if there is
-    /// such an instant; an event at the beginning does not count. The event is looked at eight times a step: where it changes its sign
-    /// twice in between, `longest` has to be shorter.
+    /// such an instant; an event at the beginning does not count. The event is looked at eight times a step, and nearer where it turns back
+    /// before zero: it has to be smooth on the scale of a step, or `longest` shorter.
     ///
     /// # Errors
     /// Why the motion stops; the state is the last one reached.
@@ -178,7 +178,7 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
             let is_last = wanted * T::of(1.0 + 1e-6) >= rest.abs();
             let h = if is_last { rest } else { direction * wanted };
             if h.abs() <= T::of(4.0) * T::EPSILON * state.t.abs() && !is_last || h.abs() < T::of(SHORTEST) {
-                return Err(Stopped::StepTooShort { time: state.t });
+                return Err(too_short(mechanism, state));
             }
             self.evaluations += K::evaluations(I);
             // A trial state that the joints do not allow means that the step is too long.
@@ -209,7 +209,7 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
             let shorter = if tried.is_err() { T::of(0.2) } else { factor::<T, K>(error, 1.0) };
             self.step = h.without_derivatives().abs() * shorter;
             if self.step <= T::of(4.0) * T::EPSILON * state.t.abs() || self.step < T::of(SHORTEST) {
-                return Err(tried.err().unwrap_or(Stopped::StepTooShort { time: state.t }));
+                return Err(tried.err().unwrap_or_else(|| too_short(mechanism, state)));
             }
         }
     }

@@ -22,6 +22,7 @@ mod equations;
 mod event;
 mod explicit;
 mod integrator;
+mod looks;
 mod method;
 mod partition;
 mod places;

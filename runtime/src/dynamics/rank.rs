@@ -71,6 +71,20 @@ where
     Err(singular::<T, S, N, I, M, R>(from.t + high, row))
 }
 
+/// Why no step is short enough at a state: its equations depend on each other there, or the motion is not smooth.
+pub(super) fn too_short<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    state: &State<T, N>,
+) -> Stopped<T>
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let rows = |q: &SVector<T, N>| mechanism.constraints(q, state.t).jacobian;
+    let (row, left) = weakest(&rows(&state.q), &rows(&mechanism.start()), &lengths(mechanism), &redundant(mechanism));
+    if left > T::of(LOST) { Stopped::StepTooShort { time: state.t } } else { singular::<T, S, N, I, M, R>(state.t, row) }
+}
+
 /// The same rows by the length of each quaternion and the turns about the axes of its body: the components themselves change their signs as
 /// the body turns.
 fn by_turns<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(

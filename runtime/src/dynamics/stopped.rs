@@ -83,7 +83,10 @@ impl<T: Scalar + Display> Display for Stopped<T> {
                 write!(f, "at t = {time} s the redundant joint `{joint}` does not fit: it is off by {off}")
             }
             Stopped::Singular { time, joint } => {
-                write!(f, "at t = {time} s the equations of `{joint}` depend on those of other joints: the motion is not determined")
+                write!(
+                    f,
+                    "at t = {time} s the equations of `{joint}` depend on those of other joints: the joints lock, or the motion can go on in several ways"
+                )
             }
             Stopped::Massless { time, owner, coordinate } => {
                 write!(

@@ -1,0 +1,99 @@
+//! Instants of events, against closed forms: pairs close together, loose tolerances, and dead points to which a drive leads.
+
+use reuleaux::{Integrator, Stopped, mechanism};
+
+mechanism! {
+    /// x = cos(2 t + phase)
+    pub(crate) mechanism Swinging {
+        param phase: Angle = 0rad;
+        let there = 1m * cos(phase);
+        let speed = -2m_s * sin(phase);
+        body slide { mass = 1kg; }
+        joint rail = translational((1, 0), (0m, 0m), slide.position);
+        force spring = { at slide.position: (-4N_m * slide.x, 0N); }
+        freedom stroke = slide.x from there at speed;
+    }
+}
+
+/// Instants before `end` at which the slide is at `level`, in order.
+fn instants(phase: f64, level: f64, end: f64) -> Vec<f64> {
+    let (turn, half) = (core::f64::consts::TAU, level.acos());
+    let near = (0..20).map(f64::from).flat_map(|k| [k * turn - half, k * turn + half]);
+    near.map(|angle| (angle - phase) / 2.0).filter(|t| *t > 0.0 && *t < end).collect()
+}
+
+fn found(phase: f64, level: f64, end: f64, tolerance: f64) -> Vec<f64> {
+    let mechanism = Swinging { phase };
+    let mut state = mechanism.initial_state().expect("a state");
+    let mut integrator = Integrator::new(tolerance);
+    let mut found = Vec::new();
+    while mechanism.advance_until(&mut state, end, &mut integrator, |state| state.slide().position.x - level).expect("a motion") {
+        found.push(state.t);
+        assert!(found.len() < 100, "an instant is found again: {found:?}");
+    }
+    found
+}
+
+/// The slide just passes a level and comes back, wherever in a step that is.
+#[test]
+fn an_event_that_comes_and_goes_at_once_is_found_twice() {
+    for tolerance in [1e-4, 1e-6, 1e-9] {
+        for number in 0..200 {
+            let phase = 0.031 * f64::from(number);
+            let depth = 30.0 * tolerance * (1.0 + f64::from(number % 7));
+            let (wanted, found) = (instants(phase, 1.0 - depth, 9.0), found(phase, 1.0 - depth, 9.0, tolerance));
+            assert_eq!(found.len(), wanted.len(), "{tolerance:e}, {phase}: {found:?} for {wanted:?}");
+            // At 1 − d the slide moves at 2 √(2 d): the place is right within the tolerance.
+            let speed = 2.0 * (2.0 * depth).sqrt();
+            for (found, wanted) in found.iter().zip(&wanted) {
+                assert!((found - wanted).abs() * speed < tolerance, "{tolerance:e}, {phase}: {found} for {wanted}");
+            }
+        }
+    }
+}
+
+/// Interpolated within long steps, the event seems not to have passed zero at a look where it has.
+#[test]
+fn an_event_beside_a_look_is_found() {
+    for number in -200..=200 {
+        let level = -0.643_142_513_7 + 1e-7 * f64::from(number);
+        let first = found(0.0, level, 2.0, 1e-4);
+        assert!(first.len() == 1 && (first[0] - 0.5 * level.acos()).abs() < 1e-4, "{level}: {first:?}");
+    }
+}
+
+mechanism! {
+    /// A drive turns the arm to where coupler and rocker are in line; two pendulums hang on them.
+    #[closure(allow)]
+    pub(crate) mechanism Locking {
+        gravity = (0, -9.81m_s2);
+        ground { point D = (400mm, 0mm); }
+        body arm      { point A = (300mm, 0mm);  mass = 1kg;  inertia = 0.02kgm2; }
+        body coupler  { point B = (100mm, 0mm);  point H = (100mm, 50mm);  mass = 0.7kg;  inertia = 0.01kgm2; }
+        body rocker   { point B = (350mm, 0mm);  mass = 0.6kg;  inertia = 0.01kgm2;  start angle = 1.9rad; }
+        body first    { mass = 0.3kg;  center = (100mm, 20mm);  inertia = 0.004kgm2; }
+        body second   { mass = 0.3kg;  center = (100mm, 20mm);  inertia = 0.004kgm2; }
+        joint o = revolute(ground.position, arm.position);
+        joint a = revolute(arm.A, coupler.position);
+        joint b = revolute(coupler.B, rocker.B);
+        joint d = revolute(rocker.position, ground.D);
+        joint hook = revolute(coupler.H, first.position);
+        joint ring = revolute(rocker.B, second.position);
+        drive motor = drive_angle(arm, 1rad - 1rad_s * t);
+        freedom one = first.angle from 0.3rad;
+        freedom two = second.angle from 0.5rad;
+    }
+}
+
+/// (350 − 100)² = 300² + 400² − 2 · 300 · 400 cos φ
+#[test]
+fn a_dead_point_is_named() {
+    let mechanism = Locking::default();
+    let dead = 1.0 - ((0.09_f64 + 0.16 - 0.0625) / 0.24).acos();
+    for tolerance in [1e-6, 1e-9] {
+        let mut state = mechanism.initial_state().expect("a state");
+        let stopped = mechanism.advance(&mut state, 5.0, &mut Integrator::new(tolerance)).expect_err("a dead point");
+        let Stopped::Singular { time, joint } = stopped else { panic!("{stopped}") };
+        assert!((time - dead).abs() < 1e-12 && ["a", "b", "d"].contains(&joint), "{joint} at {time} for {dead}");
+    }
+}
