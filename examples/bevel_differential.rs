@@ -25,7 +25,7 @@ use reuleaux::nalgebra::Vector3;
 use reuleaux::picture::Drawable;
 use reuleaux::view::View;
 use reuleaux::{SpatialBody, mechanism};
-use reuleaux_examples::{bevel, figure, largest_difference, play, ring, rod, steps};
+use reuleaux_examples::{differential, figure, largest_difference, play, steps};
 
 mechanism! {
     /// A differential with constant cage speed, while the car drives into a bend, through it, and out.
@@ -80,18 +80,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn view(m: &Differential, bend: Vec<State>) -> View<State> {
-    m.view(bend)
+    differential(m.view(bend), RADII)
         .title("Bevel differential")
-        .outline("left", bevel(Vector3::y() * RADII[0], RADII[1], 16))
-        .outline("left", ring(&(Vector3::y() * 0.6 * RADII[0]), &Vector3::y(), 0.6 * RADII[1]))
-        .outline("left", rod(Vector3::y() * 0.1, Vector3::x() * 0.003))
-        .outline("left", rod(Vector3::y() * 0.1, Vector3::z() * 0.003))
-        .outline("right", bevel(-Vector3::y() * RADII[0], RADII[1], 16))
-        .outline("right", ring(&(-Vector3::y() * 0.6 * RADII[0]), &Vector3::y(), 0.6 * RADII[1]))
-        .outline("right", rod(-Vector3::y() * 0.1, Vector3::x() * 0.003))
-        .outline("right", rod(-Vector3::y() * 0.1, Vector3::z() * 0.003))
-        .outline("planet", bevel(Vector3::x() * RADII[1], RADII[0], 10))
-        .outline("planet", ring(&(Vector3::x() * 0.6 * RADII[1]), &Vector3::x(), 0.6 * RADII[0]))
         .plot("cage", "rpm", |state| m.cage(state).rate * 60.0 / TAU)
         .and("left", |state| m.left(state).rate * 60.0 / TAU)
         .and("right", |state| m.right(state).rate * 60.0 / TAU)

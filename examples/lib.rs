@@ -12,7 +12,7 @@ use reuleaux::view::View;
 
 mod shapes;
 
-pub use shapes::{Place, bevel, gear, meshing, place, polar, rectangle, ring, rod, round};
+pub use shapes::{Place, differential, gear, meshing, place, polar, rectangle, ring, rod, round};
 
 /// Size of a moving picture in the gallery, in bytes.
 const SIZE: usize = 30_000;

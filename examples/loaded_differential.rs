@@ -27,7 +27,7 @@ use reuleaux::nalgebra::{Matrix2, Vector2, Vector3};
 use reuleaux::picture::Drawable;
 use reuleaux::view::View;
 use reuleaux::{Integrator, SpatialBody, mechanism};
-use reuleaux_examples::{bevel, figure, gauss, play, ring, rod, steps};
+use reuleaux_examples::{differential, figure, gauss, play, ring, steps};
 
 mechanism! {
     /// A differential between two wheels with resistance proportional to speed.
@@ -85,22 +85,12 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn view(m: &Loaded, states: Vec<State>) -> View<State> {
-    m.view(states)
+    differential(m.view(states), RADII)
         .title("Differential under load")
-        .outline("left", bevel(Vector3::y() * RADII[0], RADII[1], 16))
-        .outline("left", ring(&(Vector3::y() * 0.6 * RADII[0]), &Vector3::y(), 0.6 * RADII[1]))
-        .outline("left", rod(Vector3::y() * 0.1, Vector3::x() * 0.003))
-        .outline("left", rod(Vector3::y() * 0.1, Vector3::z() * 0.003))
-        .outline("right", bevel(-Vector3::y() * RADII[0], RADII[1], 16))
-        .outline("right", ring(&(-Vector3::y() * 0.6 * RADII[0]), &Vector3::y(), 0.6 * RADII[1]))
-        .outline("right", rod(-Vector3::y() * 0.1, Vector3::x() * 0.003))
-        .outline("right", rod(-Vector3::y() * 0.1, Vector3::z() * 0.003))
         .outline("left", ring(&(Vector3::y() * 0.1), &Vector3::y(), 0.055))
         .outline("left", ring(&(Vector3::y() * 0.1), &Vector3::y(), 0.045))
         .outline("right", ring(&(-Vector3::y() * 0.1), &Vector3::y(), 0.055))
         .outline("right", ring(&(-Vector3::y() * 0.1), &Vector3::y(), 0.045))
-        .outline("planet", bevel(Vector3::x() * RADII[1], RADII[0], 10))
-        .outline("planet", ring(&(Vector3::x() * 0.6 * RADII[1]), &Vector3::x(), 0.6 * RADII[0]))
         .plot("left, on asphalt", "rpm", |state| found(state)[0][0] * 60.0 / TAU)
         .and("right, on ice", |state| found(state)[0][1] * 60.0 / TAU)
         .and("cage", |state| found(state)[0][2] * 60.0 / TAU)

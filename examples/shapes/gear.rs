@@ -3,8 +3,9 @@
 use std::f64::consts::{PI, TAU};
 
 use reuleaux::nalgebra::Vector3;
+use reuleaux::view::View;
 
-use super::{Place, polar};
+use super::{Place, polar, ring, rod};
 
 /// Pressure angle of the usual tooth (rad).
 const PRESSURE: f64 = 20.0 / 180.0 * PI;
@@ -42,8 +43,7 @@ pub fn meshing(direction: f64, pinion: f64, wheel: f64, tooth: f64) -> f64 {
 }
 
 /// The rim of a bevel gear with its teeth, `back` (m) from the common apex along a coordinate axis.
-#[must_use]
-pub fn bevel(back: Vector3<f64>, radius: f64, teeth: u32) -> Vec<Vector3<f64>> {
+fn bevel(back: Vector3<f64>, radius: f64, teeth: u32) -> Vec<Vector3<f64>> {
     let other = back.abs().normalize().cross(&Vector3::z());
     let tooth = |k: u32| {
         [(-0.15, 1.07), (0.15, 1.07), (0.3, 0.93), (0.7, 0.93)].map(|(part, size)| {
@@ -52,4 +52,19 @@ pub fn bevel(back: Vector3<f64>, radius: f64, teeth: u32) -> Vec<Vector3<f64>> {
         })
     };
     (0..teeth).flat_map(tooth).collect()
+}
+
+/// The gears of a bevel differential in the bodies `left`, `right` and `planet`, with shafts of 100 mm along y.
+///
+/// * `radii`: given, those of the pitch circles of the planet and of the side gears (m).
+#[must_use]
+pub fn differential<S>(view: View<S>, [planet, side]: [f64; 2]) -> View<S> {
+    let (axis, pin) = (Vector3::y(), Vector3::x());
+    let sides = [("left", axis), ("right", -axis)].into_iter().fold(view, |view, (body, out)| {
+        view.outline(body, bevel(out * planet, side, 16))
+            .outline(body, ring(&(out * 0.6 * planet), &axis, 0.6 * side))
+            .outline(body, rod(out * 0.1, Vector3::x() * 0.003))
+            .outline(body, rod(out * 0.1, Vector3::z() * 0.003))
+    });
+    sides.outline("planet", bevel(pin * side, planet, 10)).outline("planet", ring(&(pin * 0.6 * side), &pin, 0.6 * planet))
 }

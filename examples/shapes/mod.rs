@@ -8,7 +8,7 @@ use reuleaux::nalgebra::{Vector2, Vector3};
 
 use crate::steps;
 
-pub use gear::{bevel, gear, meshing};
+pub use gear::{differential, gear, meshing};
 
 /// A point in the plane, in m.
 pub type Place = Vector2<f64>;
