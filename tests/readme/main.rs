@@ -1,6 +1,8 @@
 //! The README is correct: its program prints the output shown, its message is the compiler's, its tables and commands are complete. (Its
 //! Rust blocks are compiled as doctests of `reuleaux-macros`.)
 
+mod blocks;
+
 use std::process::Command;
 
 use proc_macro2::{TokenStream, TokenTree};

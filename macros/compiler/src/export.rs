@@ -146,10 +146,12 @@ pub(crate) fn library_pages() -> TokenStream {
 }
 
 /// The pages of the index of errors as modules that rustdoc shows.
+///
+/// Wrong models are no doc tests: `tests/errors` compiles each, and compares the code and the message of its refusal with the page.
 pub(crate) fn error_pages() -> TokenStream {
     let page = |(code, page): &(&str, &str)| {
-        let module = Ident::new(code, Span::call_site());
-        quote! { #[doc = #page] pub mod #module {} }
+        let (module, tested) = (Ident::new(code, Span::call_site()), page.replace("```compile_fail", "```text"));
+        quote! { #[cfg_attr(not(doctest), doc = #page)] #[cfg_attr(doctest, doc = #tested)] pub mod #module {} }
     };
     crate::diag::PAGES.iter().map(page).collect()
 }

@@ -2,7 +2,7 @@
 //! the page shows the compiler's message.
 //!
 //! `REULEAUX_GOLDEN=write cargo test -p reuleaux-compiler --test errors` writes the message under each wrong model. The doc tests of
-//! `reuleaux` check that rustc refuses and accepts the models too.
+//! `reuleaux` check that rustc accepts the right models too.
 
 mod page;
 
