@@ -38,7 +38,8 @@ pub(crate) struct Placed {
     choice: usize,
 }
 
-/// Places as many labels as there is room for, fewer in a crowd of bodies; `before` are the labels of the frame before, which keep their places if possible.
+/// Places as many labels as there is room for, fewer in a crowd of bodies; `before` are the labels of the frame before, which keep their
+/// places if possible.
 pub(crate) fn labels(canvas: &Canvas, before: &[Placed], is_crowded: bool) -> Vec<Placed> {
     let dearest = if is_crowded { DEAREST_IN_A_CROWD } else { DEAREST };
     let mut wishes: Vec<&Wish> = canvas.wishes.iter().collect();

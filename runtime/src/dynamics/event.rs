@@ -12,7 +12,7 @@ use crate::state::State;
 /// Most steps of the search for an instant.
 const SEARCH: usize = 200;
 
-/// The search halves where it has not come nearer by half within so many steps.
+/// The search halves its interval if so many steps have not done so.
 const SLOW: usize = 3;
 
 /// Part of a step, the value of the event there, and the state.
@@ -23,7 +23,7 @@ const DERIVATIVES: usize = 2;
 
 /// The first state between two others at which an event changes its sign; none if it does not.
 ///
-/// Interpolated states say about where that is. What is found is told by states at ends of steps: near an instant both may differ in sign.
+/// Interpolated states show roughly where that is. States at the ends of steps decide, since near the instant the two may differ in sign.
 pub(super) fn first_event<K: Method, T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     from: &State<T, N>,
@@ -69,7 +69,7 @@ where
             continue;
         }
         let mut after = beyond;
-        // The event has passed zero already where it seemed not to have.
+        // By exact states the event passed zero earlier than interpolated ones show.
         for earlier in looks.iter().take(number.saturating_sub(1)).rev() {
             if is_first {
                 break;
@@ -126,7 +126,7 @@ where
 
 /// The state at which an event has the value zero, between two at which it has different signs.
 ///
-/// * `exactly`: given, the state at a part of the step whose size is given too.
+/// * `whole`, `exactly`: given, the size of the step, and the state at a part of it.
 #[allow(clippy::type_complexity)] // Parts, values and states.
 fn locate<K: Method, T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,

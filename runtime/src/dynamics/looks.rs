@@ -1,20 +1,20 @@
-//! Looks at an event in a step, and where it turns back before zero.
+//! Values of an event within a step, and at the places where it turns back near zero.
 
 use crate::number::Scalar;
 
 /// How often an event is looked at in a step.
 pub(super) const LOOKS: usize = 8;
 
-/// Most looks nearer to a place where an event turns back.
+/// Most further looks for the place where an event turns back.
 const NEARER: usize = 8;
 
 /// Such a place is found if it moves by less than this part of a step.
 const STILL: f64 = 1e-9;
 
-/// A place at which an event does not come nearer to zero than eight times what the parabola is off there does not reach zero.
+/// An event that is further from zero than this many times the error of the parabola does not reach zero there.
 const OFF: f64 = 8.0;
 
-/// Below this part of the largest value in a step, what turns back before zero may pass zero after all.
+/// An event that turns back nearer to zero than this part of its largest value in the step may pass zero after all: exact states decide.
 const NEAR: f64 = 0.01;
 
 /// Part of a step, or time since its beginning, and the value of an event there.

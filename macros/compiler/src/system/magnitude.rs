@@ -42,6 +42,7 @@ fn distance(arena: &Arena, root: Expr) -> Option<(Vec<Expr>, Expr)> {
     (parts.len() > 1).then_some((parts, square))
 }
 
+/// Expressions with pieces have a better bound ([`in_pieces`]); they come here only if there are too many pieces.
 fn sum_of_terms(arena: &mut Arena, root: Expr, unknowns: &[usize], all: &[Coordinate]) -> Expr {
     if let Some(size) = in_pieces(arena, root, unknowns, all) {
         return size;

@@ -1,7 +1,7 @@
 //! Magnitude of the terms of an expression that is made of pieces, such as a law of a cam.
 //!
-//! A piece counts only where it is taken, and there its argument is bounded by the comparison that takes it: the powers of a polynomial between
-//! 0 and 1 are none of the numbers that they would be elsewhere.
+//! A piece counts only where it is taken, and there its argument is bounded by the comparison that takes it. A polynomial for arguments between 0
+//! and 1 does not count with the powers of an argument of 100.
 //!
 //! ```text
 //! a · b    |a| size b + |b| size a, at most size a size b

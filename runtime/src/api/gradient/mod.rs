@@ -281,11 +281,10 @@ where
 /// Whether the values of q, q̇ and q̈ are those of a state, up to its rounding errors: with other inputs they are not.
 ///
 /// ```text
-/// |Δq| ≤ η max(|q|, 1)      |Δq̇| ≤ η |q̇|      |Δq̈| ≤ κ η (|q̈| + |q̇|²)      η = √ε + 64 κ ε
+/// |Δq| ≤ η (1 + |q|)      |Δq̇| ≤ η |q̇|      |Δq̈| ≤ κ η (|q̈| + |q̇|²)      η = √ε + 64 κ ε
 /// ```
 ///
 /// with the largest scaled entries of each vector.
-#[cold]
 #[inline(never)]
 fn has_values_of<T: Float, const P: usize, const N: usize>(
     there: &Values<Gradient<T, P>, N>,
