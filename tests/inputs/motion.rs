@@ -200,7 +200,7 @@ fn derivatives_are_at_the_inputs_of_the_state_or_refused() {
     varied.inputs.theta.rate = 0.0.into();
     let failure = mechanism.with_inputs_of(&state).derivatives_along(&state, &varied).expect_err("these are other inputs");
     assert_eq!(failure.cause, Cause::OtherInputs);
-    let sentence = "`Pointer` does not have the inputs with which this state at t = 0 s was solved, or not its parameters: write \
+    let sentence = "`Pointer` has other inputs or parameters than those with which this state at t = 0 s was solved: write \
                     `mechanism.with_inputs_of(&state)` instead of `mechanism`";
     assert_eq!(failure.to_string(), sentence);
 }

@@ -112,7 +112,7 @@ impl<T: Float> Cause<T> {
             Cause::ParameterOutOfRange(parameter) => write!(f, "`{name}` cannot be solved with {parameter}"),
             Cause::OtherInputs => write!(
                 f,
-                "`{name}` does not have the inputs with which this state at t = {t} s was solved, or not its parameters: write \
+                "`{name}` has other inputs or parameters than those with which this state at t = {t} s was solved: write \
                  `mechanism.with_inputs_of(&state)` instead of `mechanism`"
             ),
             Cause::NoConvergence { correction, iterations } => write!(
