@@ -168,7 +168,7 @@ pub use number::{DetSign, Ends, Float, Mask, Real, Scalar, SimdReal, Single, Tab
 #[doc(hidden)]
 pub use path::step_in_part;
 #[doc(hidden)]
-pub use solve::{Commanded, parameter_hash};
+pub use solve::{Commanded, later, parameter_hash};
 pub use solve::{Equations, Family, Solver, SolverReal, Stages, at_once, refined_guess_at_once, refined_guess_by_rows};
 pub use state::{Coordinates, HasState, Motion, MotionWithJerk, PlanarBody, SpatialBody, State, ValueAndRate, Values};
 

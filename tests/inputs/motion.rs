@@ -204,3 +204,30 @@ fn derivatives_are_at_the_inputs_of_the_state_or_refused() {
                     `mechanism.with_inputs_of(&state)` instead of `mechanism`";
     assert_eq!(failure.to_string(), sentence);
 }
+
+#[test]
+fn error_bounds_are_at_the_rates_of_inputs() {
+    let measured = Measured::default();
+    let theta = Motion::new(1.1, 3.0, -7.0);
+    let state = measured.solve(0.0, MeasuredInputs { theta }).unwrap();
+    let there = measured.with_inputs_of(&state);
+    let bound = there.error_bound(&state).unwrap();
+    assert!(bound.q.amax() < 1e-15 && bound.qd.amax() < 1e-14 && bound.qdd.amax() < 1e-13, "{bound:?}");
+    assert_eq!(there.certify(&state).unwrap().within, bound);
+    let mut polished = state.0.clone();
+    there.polish(&mut polished).unwrap();
+    assert!((polished.qd - state.qd).amax() < 1e-14 && (polished.qdd - state.qdd).amax() < 1e-13);
+
+    // The same motion as a law of time has the same bounds to rounding of its angle.
+    let driven = Driven::default();
+    let state = driven.solve(0.73).unwrap();
+    let told = Measured { inputs: MeasuredInputs { theta: law(0.73) }, ..measured };
+    let bound = told.error_bound(&state.0).unwrap();
+    assert!(bound.qd.amax() < 1e-14 && bound.qdd.amax() < 1e-13, "{bound:?}");
+    // With another rate or acceleration of the input the crank is off by as much.
+    let state = measured.solve(0.0, MeasuredInputs { theta }).unwrap();
+    let bound = |theta| Measured { inputs: MeasuredInputs { theta }, ..measured }.error_bound(&state).unwrap();
+    let [faster, harder] = [Motion::new(1.1, 2.0, -7.0), Motion::new(1.1, 3.0, -6.0)].map(bound);
+    assert!(faster.qd.iter().any(|entry| (entry - 1.0).abs() < 1e-14), "{faster:?}");
+    assert!(harder.qd.amax() < 1e-14 && harder.qdd.iter().any(|entry| (entry - 1.0).abs() < 1e-13), "{harder:?}");
+}

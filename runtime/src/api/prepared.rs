@@ -126,7 +126,6 @@ where
     const NAME: &'static str = M::NAME;
     const COORDINATES: &'static [Coordinate] = M::COORDINATES;
     const ROWS: &'static [Row] = M::ROWS;
-    const HAS_INPUTS: bool = M::HAS_INPUTS;
 
     fn start(&self) -> SVector<T, N> {
         self.mechanism.start()

@@ -261,9 +261,14 @@ impl<M, T, const OUTPUT: usize, const N: usize, const WHOLE: usize> DerefMut for
 
 impl<M: Family<T>, T, const OUTPUT: usize, const N: usize, const WHOLE: usize> Family<T> for Slice<M, T, OUTPUT, N, WHOLE> {
     type Over<U: Real> = Slice<M::Over<U>, U, OUTPUT, N, WHOLE>;
+    const HAS_INPUTS: bool = M::HAS_INPUTS;
 
     fn gather<U: Real, const L: usize>(each: [&Self; L], combine: impl Fn([T; L]) -> U) -> Self::Over<U> {
         Slice::of(M::gather(each.map(|slice| &slice.mechanism), combine))
+    }
+
+    fn later(self, h: T) -> Self {
+        Slice::of(self.mechanism.later(h))
     }
 }
 
@@ -300,7 +305,6 @@ where
     const NAME: &'static str = <M as Description<T, WHOLE>>::NAME;
     const COORDINATES: &'static [Coordinate] = &Self::NAMES;
     const ROWS: &'static [Row] = <M as Description<T, WHOLE>>::ROWS;
-    const HAS_INPUTS: bool = <M as Description<T, WHOLE>>::HAS_INPUTS;
 
     fn start(&self) -> SVector<T, N> {
         let start = self.mechanism.start();

@@ -93,7 +93,8 @@ where
     E::Over<Enclosure>: Stages<Enclosure, N>,
 {
     mechanism.validate().map_err(|parameter| Doubt::ParameterOutOfRange(parameter.name))?;
-    let enclosed = E::gather([mechanism], |[parameter]| Enclosure::of(parameter.to_f64()));
+    // Rates are those of values: the values of inputs move.
+    let enclosed = E::gather([mechanism], |[parameter]| Enclosure::of(parameter.to_f64())).later(Enclosure::time(0.0));
     let (q, lengths, coordinates) = (state.q.map(Scalar::to_f64), lengths_of(&enclosed), E::COORDINATES);
     let solver = EnclosureSolver { q, alone, lengths, coordinates, doubt: Cell::new(None), off: Cell::new(None) };
     let coordinate = |index: usize| names::coordinate(E::COORDINATES, index);

@@ -16,9 +16,6 @@ pub trait Description<T: Real, const N: usize> {
     /// The rows, in the order of Φ.
     const ROWS: &'static [Row];
 
-    /// Whether equations read [inputs](macro@crate::mechanism#input) of the mechanism.
-    const HAS_INPUTS: bool = false;
-
     /// A guess of q at t = 0, near the intended assembly.
     fn start(&self) -> SVector<T, N>;
 

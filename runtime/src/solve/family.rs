@@ -9,6 +9,17 @@ pub trait Family<T>: Sized {
     /// The same declaration over `U`.
     type Over<U: Real>: Family<U>;
 
+    /// Whether equations read [inputs](macro@crate::mechanism#input) of the mechanism.
+    const HAS_INPUTS: bool = false;
+
     /// A mechanism whose parameters are each combined from those of several.
     fn gather<U: Real, const L: usize>(each: [&Self; L], combine: impl Fn([T; L]) -> U) -> Self::Over<U>;
+
+    /// The mechanism with its inputs a short time `h` (s) later, up to terms with h³: x + ẋ h + ẍ h² / 2. Inputs so get derivatives by time
+    /// from h = 0 with the rate 1.
+    #[must_use]
+    fn later(self, h: T) -> Self {
+        let _ = h;
+        self
+    }
 }

@@ -12,7 +12,7 @@ mod stages;
 pub use at_once::{at_once, refined_guess_at_once, refined_guess_by_rows};
 pub(crate) use cold::{ColdReport, ColdSolver};
 
-pub use commanded::Commanded;
+pub use commanded::{Commanded, later};
 pub use equations::Equations;
 pub use family::Family;
 pub(crate) use real::lengths_of;

@@ -10,7 +10,7 @@ use crate::plan::{Code, Plan, Routine, Target};
 use crate::quantity::Role;
 use crate::system::{COSINES, System};
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
+use quote::quote;
 
 /// Everything that the functions are made from.
 pub(super) struct Emitter<'a> {
@@ -308,13 +308,11 @@ impl Emitter<'_> {
                 }
             }
         });
-        let inputs = self.model.holds_inputs().then(|| format_ident!("HAS_INPUTS")).into_iter();
         quote! {
             impl<T: ::reuleaux::Real> ::reuleaux::Description<T, #n> for #name<T> {
                 const NAME: &'static ::core::primitive::str = #word;
                 const COORDINATES: &'static [::reuleaux::Coordinate] = &[#(#coordinates),*];
                 const ROWS: &'static [::reuleaux::Row] = &[#(#rows),*];
-                #(const #inputs: ::core::primitive::bool = true;)*
                 fn start(&self) -> #of_q { self.start() }
                 fn characteristic_length(&self) -> T { self.characteristic_length() }
                 fn validate(&self) -> ::core::result::Result<(), ::reuleaux::ParameterOutOfRange<T>> { self.validate() }

@@ -142,6 +142,7 @@ fn defaults(model: &Model, system: &System) -> (TokenStream, TokenStream, TokenS
     let fields = parameters.defaults(&docs::default_values(model, system));
     let marker = model.parameters.is_empty().then(|| quote!(_real: ::core::marker::PhantomData));
     let gathered = parameters.gathered(0);
+    let later = model.holds_inputs().then(|| format_ident!("later")).into_iter();
     // Without parameters there is nothing to combine.
     let unused = model.parameters.is_empty().then(|| quote!(#[allow(unused_variables)]));
     let default = quote! {
@@ -161,6 +162,7 @@ fn defaults(model: &Model, system: &System) -> (TokenStream, TokenStream, TokenS
             fn gather<T2: ::reuleaux::Real, const LANES: ::core::primitive::usize>(each: [&Self; LANES], combine: impl ::core::ops::Fn([T; LANES]) -> T2) -> #name<T2> {
                 #name { #gathered #marker }
             }
+            #(const HAS_INPUTS: ::core::primitive::bool = true; fn #later(self, h: T) -> Self { ::reuleaux::later(self, h) })*
         }
     };
     (default, with_defaults, family)
