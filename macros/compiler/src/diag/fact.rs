@@ -119,7 +119,7 @@ pub enum ArrayFact {
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
 pub enum NameFact {
-    UnknownName { name: String, near: Option<String> },
+    UnknownName { name: String, near: Option<String>, is_of_definition: bool },
     OutputRead { name: String },
     UnitAlone { name: String },
     UnitInParts { written: String, instead: String },

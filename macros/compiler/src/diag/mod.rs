@@ -23,7 +23,7 @@ pub(crate) use home::home;
 pub use kind::{Kind, Wanted};
 pub(crate) use message::{degrees, millimetres, significant};
 pub(crate) use remedy::quantity;
-pub(crate) use suggest::{nearest, nearest_unit};
+pub(crate) use suggest::{nearest, nearest_unit, usual_dimension};
 pub(crate) use warning::of_unused;
 pub use warning::{Doubt, Warning};
 

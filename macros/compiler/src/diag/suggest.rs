@@ -6,7 +6,7 @@ use crate::quantity::{unit, units};
 const LONGEST: usize = 60;
 
 /// Words of the language with their synonyms elsewhere.
-const SYNONYMS: [(&str, &[&str]); 44] = [
+const SYNONYMS: [(&str, &[&str]); 45] = [
     ("body", &["link", "bar", "rigid", "member"]),
     ("ground", &["frame", "base", "world", "fixed"]),
     ("param", &["parameter", "var", "variable"]),
@@ -51,7 +51,27 @@ const SYNONYMS: [(&str, &[&str]); 44] = [
     ("ms", &["msec", "millisecond", "milliseconds"]),
     ("min", &["minute", "minutes"]),
     ("h", &["hour", "hours", "hr"]),
+    ("t", &["time"]),
 ];
+
+/// Dimensions, with names that numbers of each usually have.
+const USUAL: [(&str, &[&str]); 9] = [
+    ("Angle", &["theta", "phi", "psi", "alpha", "beta", "gamma", "angle"]),
+    ("AngularVelocity", &["omega", "w", "rpm"]),
+    ("Length", &["l", "length", "r", "radius", "width", "height", "stroke", "pitch", "offset", "distance"]),
+    ("Mass", &["m", "mass"]),
+    ("Stiffness", &["k", "stiffness"]),
+    ("Damping", &["damping"]),
+    ("Force", &["f", "force", "load"]),
+    ("Torque", &["torque", "moment"]),
+    ("Number", &["ratio", "n", "teeth"]),
+];
+
+/// The dimension that a number of this name usually has; digits at its end do not count: `l2` is a length.
+pub(crate) fn usual_dimension(name: &str) -> Option<&'static str> {
+    let stem = name.trim_end_matches(|end: char| end.is_ascii_digit() || end == '_').to_lowercase();
+    USUAL.iter().find(|(_, names)| names.contains(&stem.as_str())).map(|(dimension, _)| *dimension)
+}
 
 /// Known name nearest to a mistyped one, if it is similar enough.
 pub(crate) fn nearest<'a>(typed: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {

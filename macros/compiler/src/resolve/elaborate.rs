@@ -306,7 +306,7 @@ impl Elaborator<'_> {
         if near.is_none() && quantity::unit(&name.to_string()).is_some() {
             return self.refuse(path.range, NameFact::UnitAlone { name: name.to_string() });
         }
-        self.refuse(path.range, NameFact::UnknownName { name: name.to_string(), near })
+        self.refuse(path.range, NameFact::UnknownName { name: name.to_string(), near, is_of_definition: scope.space.is_none() })
     }
 
     fn time(&mut self, range: Range, scope: &Scope) -> Option<Value> {

@@ -8,6 +8,7 @@ crate::refusals! {
     constraint force_of_a_force: "force f(P: Point, k: Stiffness) { at P: «k * (1, 0)»; }" => "expected a force (N), found a stiffness (N/m)";
     constraint no_equations: "constraint «c»(P: Point) { let a = P.x; }" => "`c` has no equations\nhelp: write `lhs == rhs;`";
     constraint time_in_a_definition: "constraint c(P: Point) { P.x == 1mm / 1s * «t»; }" => "`t` is not known in a definition\nhelp: take the law as a parameter, such as `C: Length`, and let a `drive` pass it";
+    constraint argument_is_missing: "constraint c(P: Point) { P.x == «radius»; }" => "nothing is called `radius` here\nhelp: take it as an argument, `radius: Length`";
     constraint name_is_mistyped: "constraint c(P: Point, radius: Length) { P.x == «raduis»; }" => "nothing is called `raduis` here\nhelp: did you mean `radius`?";
     constraint kind_is_mistyped: "constraint c(P: «Pont») { P.x == 0; }" => "no parameter can take `Pont`\nhelp: did you mean `Point`?";
     constraint kind_is_unknown: "constraint c(P: «Sphere») { P.x == 0; }" => "no parameter can take `Sphere`\nnote: it takes a `Point`, `Axis`, `Body`, `Quantity`, `Function(…) -> …`, `Joint(…)`, or a dimension such as `Length`";

@@ -3,6 +3,10 @@
 crate::refusals! {
     item name_is_mistyped: "output b = «lenght»;" => "nothing is called `lenght` here\nhelp: did you mean `length`?";
     item name_is_unknown: "output b = «wheel»;" => "nothing is called `wheel` here";
+    item angle_is_not_declared: "drive b = drive_angle(crank, «theta»);" => "nothing is called `theta` here\nhelp: declare it, such as `param theta: Angle = …;`, or `input theta: Angle;` if it is given at each step";
+    item speed_is_not_declared: "drive b = drive_angle(crank, «omega» * t);" => "nothing is called `omega` here\nhelp: declare it, such as `param omega: AngularVelocity = …;`";
+    item length_is_not_declared: "body b { point P = («L2», 0mm); }" => "nothing is called `L2` here\nhelp: declare it, such as `param L2: Length = …;`";
+    item time_is_written_out: "drive b = drive_angle(crank, 1rad_s * «time»);" => "nothing is called `time` here\nhelp: did you mean `t`?";
     item unit_by_itself: "drive b = drive_angle(crank, 2 * 1rad/«ms» * t);" => "nothing is called `ms` here\nhelp: a unit belongs to a number, as in `1ms`; that of a rate is one word, as in `1rad_s`";
     item body_is_mistyped: "joint a = revolute(«crnk».A, ground.C);" => "nothing is called `crnk` here\nhelp: did you mean `crank`?";
     item point_is_mistyped: "body c { point Pin = (0mm, 0mm); } output b = c.«Pim»;" => "`c` has no `Pim`\nhelp: did you mean `Pin`?";

@@ -1,7 +1,7 @@
 //! Messages about names.
 
 use super::words::{did_you_mean, first_of, is_acceleration, is_load, is_power, is_rate, list, listed, shortened};
-use crate::diag::{Home, NameFact};
+use crate::diag::{Home, NameFact, usual_dimension};
 use crate::quantity::{Dim, Role};
 use std::fmt::{Display, Formatter, Result};
 
@@ -21,10 +21,16 @@ impl Display for NameFact {
                 write!(f, "`{name}` is an output: it is read from Rust, not in the declaration")?;
                 write!(f, "\nhelp: name its value with `let {name} = …;` and give that out with `output {name} = {name};`")
             }
-            NameFact::UnknownName { name, near: None } if name == "z" => {
+            NameFact::UnknownName { name, near: None, .. } if name == "z" => {
                 write!(f, "nothing is called `z` here\nhelp: write `(0, 0, 1)` for the direction of z")
             }
-            NameFact::UnknownName { name, near } => write!(f, "nothing is called `{name}` here{}", did_you_mean(near)),
+            NameFact::UnknownName { name, near, is_of_definition } => {
+                write!(f, "nothing is called `{name}` here{}", did_you_mean(near))?;
+                match usual_dimension(name).filter(|_| near.is_none()) {
+                    Some(dimension) => write!(f, "\nhelp: {}", declaration(name, dimension, *is_of_definition)),
+                    None => Ok(()),
+                }
+            }
             NameFact::UnknownField { owner, name, .. } if is_rate(name) => {
                 write!(f, "{owner} has no `{name}`\nhelp: write `rate(…)` of a point or of a number, as in `rate(body.position)`")
             }
@@ -147,4 +153,13 @@ impl Display for NameFact {
             }
         }
     }
+}
+
+/// How a number is declared that is named without being there.
+fn declaration(name: &str, dimension: &str, is_of_definition: bool) -> String {
+    if is_of_definition {
+        return format!("take it as an argument, `{name}: {dimension}`");
+    }
+    let measured = if dimension == "Angle" { format!(", or `input {name}: Angle;` if it is given at each step") } else { String::new() };
+    format!("declare it, such as `param {name}: {dimension} = …;`{measured}")
 }
