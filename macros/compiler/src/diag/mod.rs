@@ -4,6 +4,7 @@
 //! alone turns a fact into a sentence.
 
 mod code;
+mod elsewhere;
 mod fact;
 mod home;
 mod kind;

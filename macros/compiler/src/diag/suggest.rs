@@ -6,7 +6,7 @@ use crate::quantity::{unit, units};
 const LONGEST: usize = 60;
 
 /// Words of the language with their synonyms elsewhere.
-const SYNONYMS: [(&str, &[&str]); 45] = [
+const SYNONYMS: [(&str, &[&str]); 47] = [
     ("body", &["link", "bar", "rigid", "member"]),
     ("ground", &["frame", "base", "world", "fixed"]),
     ("param", &["parameter", "var", "variable"]),
@@ -52,6 +52,8 @@ const SYNONYMS: [(&str, &[&str]); 45] = [
     ("min", &["minute", "minutes"]),
     ("h", &["hour", "hours", "hr"]),
     ("t", &["time"]),
+    ("spring", &["compression_spring", "tension_spring", "extension_spring", "coil_spring"]),
+    ("drive_angle", &["drive_velocity", "drive_angular_velocity", "drive_speed", "rotate"]),
 ];
 
 /// Dimensions, with names that numbers of each usually have.
@@ -106,7 +108,9 @@ pub(crate) fn nearest_unit(typed: &str) -> Option<String> {
     let is_repeated = |at: &usize| *at > 0 && letters[*at] == letters[at - 1];
     let without = |at: usize| letters[..at].iter().chain(&letters[at + 1..]).collect::<String>();
     let shorter = (0..letters.len()).filter(is_repeated).map(without).find(|shorter| unit(shorter).is_some());
-    shorter.or_else(|| nearest(typed, units()))
+    // Another power is another quantity.
+    let digits = |text: &str| text.chars().filter(char::is_ascii_digit).collect::<String>();
+    shorter.or_else(|| nearest(typed, units().filter(|known| digits(known) == digits(typed))))
 }
 
 /// Optimal string alignment distance: insertions, deletions, replacements, swaps of neighbours; a change of case costs nothing.

@@ -6,20 +6,20 @@ use crate::quantity::Ambient;
 use crate::syntax::ast::{Item, JointBody, JointItem, Mechanism, Statement, Task};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
+use std::collections::BTreeSet;
 
 /// The loads, with the joints and drives of the mechanism itself.
 pub(super) fn loads(tree: &Mechanism, state: &Ident, visibility: &TokenStream, body: &TokenStream) -> (TokenStream, TokenStream) {
-    let name = &tree.name;
-    let loads = format_ident!("{}Loads", name);
+    let (loads, mut taken) = (format_ident!("{}Loads", tree.name), BTreeSet::new());
     let of_joint = match tree.ambient {
         Ambient::Plane => quote!(::reuleaux::PlanarLoad<T>),
         Ambient::Space => quote!(::reuleaux::SpatialLoad<T>),
     };
     let known = tree.items.iter().filter_map(|item| match item {
-        Item::Joint(joint) if joint.indices.is_empty() && !joint.is_freedom() => {
+        Item::Joint(joint) if joint.indices.is_empty() && !joint.is_freedom() && taken.insert(&joint.name) => {
             Some((joint, if joint.is_drive { quote!(::reuleaux::DriveLoad<T>) } else { of_joint.clone() }))
         }
-        Item::Force(force) if force.indices.is_empty() => Some((force, force_type(tree.ambient, force)?)),
+        Item::Force(force) if force.indices.is_empty() && taken.insert(&force.name) => Some((force, force_type(tree.ambient, force)?)),
         _ => None,
     });
     let (mut methods, mut alone) = (TokenStream::new(), TokenStream::new());

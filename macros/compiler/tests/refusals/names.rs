@@ -24,6 +24,12 @@ crate::refusals! {
     item constraint_as_a_function: "output b = «revolute»(ground.O, crank.O);" => "`revolute` is a constraint, not a function\nhelp: write `joint name = revolute(…);`";
     item number_as_a_function: "output b = «length»(2);" => "expected a function, found a number\nhelp: a product is written with `*`";
     item unit_is_mistyped: "param a: Length = «100furlong»;" => "no unit is called `furlong`\nnote: there are `m`, `cm`, `mm`, `um`, `km`, `in`, `ft`, `rad`, `mrad`, `deg`, `turn`, `s`, `ms`, `us`, `min`, `h`, `kg`, `g`, `rpm`, `rad_s`, `deg_s`, `rad_s2`, `deg_s2`, `m_s`, `mm_s`, `m_s2`, `mm_s2`, `mm2`, `m2`, `N`, `kN`, `Nm`, `Nmm`, `kgm2`, `N_m`, `N_mm`, `kN_m`, `Ns_m`, `Nm_rad`, `Nms`, `Nms_rad`, `W`, `kW`, `Pa`, `kPa`, `bar` and `MPa`";
+    item unit_of_elsewhere: "body b { inertia = «3000kgmm2»; }" => "no unit is called `kgmm2`\nhelp: `1kgmm2` is `0.000001kgm2`";
+    item unit_with_another_prefix: "param a: Torque = «5kNm»;" => "no unit is called `kNm`\nhelp: `1kNm` is `1000Nm`";
+    item unit_of_volume: "param a: Length = «5mm3» / 1mm2;" => "no unit is called `mm3`\nhelp: `1mm3` is `1mm2 * 1mm`";
+    item gravity_by_its_letter: "gravity = (0, -«g»);" => "nothing is called `g` here\nhelp: write the acceleration of gravity as `9.81m_s2`, or declare `param g: Acceleration = 9.81m_s2;`";
+    item spring_by_its_kind: "force s = «compression_spring»(ground.O, crank.A, 1N_mm, 10mm);" => "no force is called `compression_spring`\nhelp: did you mean `spring`?\nnote: there are `spring`, `damper`, `spring_damper`, `actuator`, `drag`, `motor`, `torsion_spring` and `torsion_spring_damper`";
+    item drive_by_a_velocity: "drive b = «drive_velocity»(crank, speed);" => "no constraint is called `drive_velocity`\nhelp: did you mean `drive_angle`?";
     item unit_is_near: "param a: Length = «100mn»;" => "no unit is called `mn`\nhelp: did you mean `100mm`?";
     item unit_is_written_out: "param a: Length = «100milimeter»;" => "no unit is called `milimeter`\nhelp: did you mean `100mm`?";
     item unit_is_in_the_plural: "param a: Angle = «5degrees»;" => "no unit is called `degrees`\nhelp: did you mean `5deg`?";

@@ -1,6 +1,7 @@
 //! Messages about names.
 
 use super::words::{did_you_mean, first_of, is_acceleration, is_load, is_power, is_rate, list, listed, shortened};
+use crate::diag::elsewhere::equivalent;
 use crate::diag::{Home, NameFact, usual_dimension};
 use crate::quantity::{Dim, Role};
 use std::fmt::{Display, Formatter, Result};
@@ -8,6 +9,12 @@ use std::fmt::{Display, Formatter, Result};
 impl Display for NameFact {
     fn fmt(&self, f: &mut Formatter) -> Result {
         match self {
+            NameFact::UnitAlone { name } if name == "g" => {
+                write!(
+                    f,
+                    "nothing is called `g` here\nhelp: write the acceleration of gravity as `9.81m_s2`, or declare `param g: Acceleration = 9.81m_s2;`"
+                )
+            }
             NameFact::UnitAlone { name } => {
                 write!(
                     f,
@@ -94,6 +101,9 @@ impl Display for NameFact {
             }
             NameFact::UnknownUnit { name, .. } if name == "Hz" => {
                 write!(f, "no unit is called `Hz`\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`")
+            }
+            NameFact::UnknownUnit { name, .. } if equivalent(name).is_some() => {
+                write!(f, "no unit is called `{name}`\nhelp: `1{name}` is `{}`", equivalent(name).unwrap_or_default())
             }
             NameFact::UnknownUnit { number, name, near } => {
                 write!(f, "no unit is called `{}`{}", shortened(name), did_you_mean(&near.as_ref().map(|near| format!("{number}{near}"))))?;
