@@ -2,7 +2,7 @@
 
 use super::plane::{Cart, DoublePendulum};
 use super::space::{FreeBody, SteadyTop};
-use reuleaux::{Integrator, Stopped, mechanism};
+use reuleaux::{Integrator, Motion, Stopped, mechanism};
 use reuleaux_tests::common::decimal::Decimal;
 use reuleaux_tests::common::reference::{file, text};
 
@@ -402,4 +402,45 @@ fn a_motion_can_be_watched_and_stopped() {
     assert_eq!((steps, state.t), (integrator.accepted, 1.0));
     assert_eq!(pendulum.advance_while(&mut state, 9.0, &mut integrator, |state| state.t < 2.0), Ok(false));
     assert!(state.t >= 2.0 && state.t < 3.0);
+}
+
+mechanism! {
+    /// A bead on a rail that climbs or falls with gravity, held by a spring whose other end is moved.
+    mechanism Shaken {
+        input end: Length;
+        gravity = (0, -9.81m_s2 * (1 + 0.2 * sin(3rad_s * t)));
+        body bead { mass = 2kg; }
+        body weight { mass = 3kg; }
+        joint level = absolute_angle(bead, 0);
+        joint way = absolute_y(bead.position, 0m);
+        joint upright = absolute_angle(weight, 0);
+        joint shaft = absolute_x(weight.position, 1m);
+        joint rope = { weight.y == 0.5 * bead.x; }
+        energy spring = 0.5 * 30N_m * (bead.x - end - 0.3m * sin(2rad_s * t))^2;
+        freedom x = bead.x from 0.1m at 0.2m_s;
+    }
+}
+
+/// Ṫ + V̇ of the bead at x with ẋ, ẍ, from T = ½ (2 + ¾) ẋ², V = 15 (x − e − 0.3 sin 2t)² + 3 · 9.81 (1 + 0.2 sin 3t) x / 2.
+fn rate_of_shaken(t: f64, [x, v, a]: [f64; 3], [e, ė]: [f64; 2]) -> f64 {
+    let of_spring = 30.0 * (x - e - 0.3 * (2.0 * t).sin()) * (v - ė - 0.6 * (2.0 * t).cos());
+    let weight = 3.0 * 9.81;
+    2.75 * v * a + of_spring + 0.5 * weight * ((1.0 + 0.2 * (3.0 * t).sin()) * v + 0.6 * (3.0 * t).cos() * x)
+}
+
+#[test]
+fn power_is_the_rate_of_potentials_that_are_moved_from_outside() {
+    let mut mechanism = Shaken { inputs: ShakenInputs { end: Motion::at(0.0) } };
+    let (mut state, mut integrator) = (mechanism.initial_state().expect("a state"), Integrator::new(1e-9));
+    for k in 1..=20 {
+        let t = 0.17 * f64::from(k);
+        let end = [0.05 * f64::from(k % 3), 0.4 - 0.03 * f64::from(k)];
+        mechanism.inputs.end = Motion::moving(end[0], end[1]);
+        mechanism.advance(&mut state, t, &mut integrator).expect("a motion");
+        let bead = state.bead();
+        let rate = rate_of_shaken(t, [bead.position.x, bead.velocity.x, bead.acceleration.x], end);
+        let power = mechanism.energy(&state).power;
+        assert!((power - rate).abs() < 1e-12 * (1.0 + rate.abs()), "at {t}: {power} against {rate}");
+        assert!(rate.abs() > 1e-3);
+    }
 }

@@ -94,6 +94,7 @@ pub struct Energy<T> {
     pub kinetic: T,
     /// Potential energy of gravity and of each `energy` declared, in J.
     pub potential: T,
-    /// Power of the forces declared with `force`, in W. That of gravity is in the potential energy, that of drives in the loads.
+    /// Power of the forces declared with `force`, in W, and ∂V/∂t of a potential energy V that depends on time or on inputs. That of
+    /// gravity is in the potential energy, that of drives in the loads.
     pub power: T,
 }

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! f_k = Σ ∂v/∂u_k · F + ∂ω/∂u_k · T      F, T: M u̇ − Q of a body, about its origin
-//! V   = Σ V_i − Σ m g · r_C               P = Σ F · v_P + T · ω of the forces declared
+//! V   = Σ V_i − Σ m g · r_C               P = Σ F · v_P + T · ω of the forces declared, + ∂V/∂t
 //! ```
 
 use super::dynamics;
@@ -17,7 +17,7 @@ pub struct Balance {
     pub forces: Vec<Expr>,
     /// Potential energy, of gravity and as declared.
     pub potential: Expr,
-    /// Power of the forces declared.
+    /// Power of the forces declared, and of whatever moves a potential in time.
     pub power: Expr,
 }
 
@@ -89,9 +89,13 @@ pub(super) fn potential(model: &Model, arena: &mut Arena) -> Expr {
     sum
 }
 
-/// Σ F · v_P + T · ω
+/// Σ F · v_P + T · ω + ∂V/∂t
 pub(super) fn power(model: &Model, arena: &mut Arena) -> Expr {
-    model.forces.iter().fold(arena.integer(0), |sum, force| add_power(model, arena, sum, force))
+    let of_forces = model.forces.iter().fold(arena.integer(0), |sum, force| add_power(model, arena, sum, force));
+    // Inputs are functions of time.
+    let potential = potential(model, arena);
+    let change = derivative(arena, potential, Leaf::Time);
+    arena.add(of_forces, change)
 }
 
 /// The force and torque vectors of each declared force, and its power.
