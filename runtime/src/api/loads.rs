@@ -48,7 +48,10 @@ pub struct SpatialLoad<T> {
 }
 
 impl<T: Scalar> PlanarLoad<T> {
-    /// The opposite load, which acts on the other body about the same point.
+    /// The opposite load, which acts on the other body about the same point, if the joint has two bodies that meet there.
+    ///
+    /// Wheels that mesh, a rack, a belt or a differential load each of their bodies otherwise, by the ratio of their speeds, and the rest
+    /// goes to the carrier: there the multipliers tell what each body gets.
     #[must_use]
     pub fn on_other(self) -> Self {
         Self { force: self.force.map(|part| -part), torque: -self.torque, ..self }
@@ -64,7 +67,10 @@ impl<T: Scalar> PlanarLoad<T> {
 }
 
 impl<T: Scalar> SpatialLoad<T> {
-    /// The opposite load, which acts on the other body about the same point.
+    /// The opposite load, which acts on the other body about the same point, if the joint has two bodies that meet there.
+    ///
+    /// Wheels that mesh, a rack, a belt or a differential load each of their bodies otherwise, by the ratio of their speeds, and the rest
+    /// goes to the carrier: there the multipliers tell what each body gets.
     #[must_use]
     pub fn on_other(self) -> Self {
         Self { force: self.force.map(|part| -part), torque: self.torque.map(|part| -part), ..self }
