@@ -7,6 +7,7 @@ mod conserved;
 mod derivatives;
 mod events;
 mod forces;
+mod gears;
 mod integrated;
 mod kept;
 mod masses;

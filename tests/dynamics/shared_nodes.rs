@@ -280,15 +280,17 @@ fn every_row_on_shared_nodes_has_its_multiplier() {
         let found = DVector::from_column_slice(loads.multipliers.as_slice());
         let error = (&found - &multipliers).amax() / multipliers.amax();
         assert!(error < 1e-11, "multipliers at {time} s: {error:e}");
-        // What joints and drives do is −Jᵀλ: on the body of the last argument, of the gear joint the carrier's axis, and along driven quantities.
+        // What joints and drives do is −Jᵀλ: on the body of the last argument, of the gear joint on all, and along driven quantities.
         let part = |first: usize, count: usize, body: usize| {
             let own = -jacobian.rows(first, count).transpose() * multipliers.rows(first, count);
             (own.fixed_rows::<3>(6 * body).into_owned(), own.fixed_rows::<3>(6 * body + 3).into_owned())
         };
-        let pairs = [(loads.hinge(), part(16, 5, 3)), (loads.gears(), part(5, 11, 0))];
-        for (found, (force, torque)) in pairs {
-            assert!((found.force - force).norm() < 1e-11 * multipliers.amax(), "{} for {force}", found.force);
-            assert!((found.torque - torque).norm() < 1e-11 * multipliers.amax(), "{} for {torque}", found.torque);
+        let hinge = (loads.hinge().force, loads.hinge().torque);
+        let gears = [loads.gears(), loads.gears_on_n1(), loads.gears_on_n2()].map(|load| (load.force, load.torque));
+        let wanted = [part(16, 5, 3), part(5, 11, 0), part(5, 11, 1), part(5, 11, 2)];
+        for (found, (force, torque)) in [hinge].into_iter().chain(gears).zip(wanted) {
+            assert!((found.0 - force).norm() < 1e-11 * multipliers.amax(), "{} for {force}", found.0);
+            assert!((found.1 - torque).norm() < 1e-11 * multipliers.amax(), "{} for {torque}", found.1);
         }
         let (turn, push) = (loads.turn(), loads.push());
         assert!((turn.effort + multipliers[21]).abs() < 1e-11 * multipliers.amax());

@@ -26,8 +26,10 @@ pub struct Loads<T, const M: usize, const A: usize> {
 }
 
 /// Load of a joint on a planar body, in ground coordinates.
+///
+/// * `HAS_OPPOSITE`: false for a joint whose other body does not get the opposite load, such as a gear pair: it has a load for each body.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PlanarLoad<T> {
+pub struct PlanarLoad<T, const HAS_OPPOSITE: bool = true> {
     /// Force at the joint's point, in N.
     pub force: Vector2<T>,
     /// Torque about the joint's point, in N m.
@@ -37,8 +39,10 @@ pub struct PlanarLoad<T> {
 }
 
 /// Load of a joint on a body in space, in ground coordinates.
+///
+/// * `HAS_OPPOSITE`: false for a joint whose other body does not get the opposite load, such as a gear pair: it has a load for each body.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SpatialLoad<T> {
+pub struct SpatialLoad<T, const HAS_OPPOSITE: bool = true> {
     /// Force at the joint's point, in N.
     pub force: Vector3<T>,
     /// Torque about the joint's point, in N m.
@@ -48,15 +52,14 @@ pub struct SpatialLoad<T> {
 }
 
 impl<T: Scalar> PlanarLoad<T> {
-    /// The opposite load, which acts on the other body about the same point, if the joint has two bodies that meet there.
-    ///
-    /// Wheels that mesh, a rack, a belt or a differential load each of their bodies otherwise, by the ratio of their speeds, and the rest
-    /// goes to the carrier: there the multipliers tell what each body gets.
+    /// The opposite load, which acts on the other body about the same point.
     #[must_use]
     pub fn on_other(self) -> Self {
         Self { force: self.force.map(|part| -part), torque: -self.torque, ..self }
     }
+}
 
+impl<T: Scalar, const HAS_OPPOSITE: bool> PlanarLoad<T, HAS_OPPOSITE> {
     /// The same load with the components of its force in the frame of a body.
     #[must_use]
     pub fn in_axes_of(self, body: &PlanarBody<T>) -> Self {
@@ -67,15 +70,14 @@ impl<T: Scalar> PlanarLoad<T> {
 }
 
 impl<T: Scalar> SpatialLoad<T> {
-    /// The opposite load, which acts on the other body about the same point, if the joint has two bodies that meet there.
-    ///
-    /// Wheels that mesh, a rack, a belt or a differential load each of their bodies otherwise, by the ratio of their speeds, and the rest
-    /// goes to the carrier: there the multipliers tell what each body gets.
+    /// The opposite load, which acts on the other body about the same point.
     #[must_use]
     pub fn on_other(self) -> Self {
         Self { force: self.force.map(|part| -part), torque: self.torque.map(|part| -part), ..self }
     }
+}
 
+impl<T: Scalar, const HAS_OPPOSITE: bool> SpatialLoad<T, HAS_OPPOSITE> {
     /// The same load with its components in the frame of a body.
     #[must_use]
     pub fn in_axes_of(self, body: &SpatialBody<T>) -> Self {
@@ -147,7 +149,7 @@ impl<T: Scalar, const M: usize, const A: usize> Loads<T, M, A> {
     /// Load on a planar body of a joint with these equations.
     #[doc(hidden)]
     #[must_use]
-    pub fn planar(&self, equations: Range<usize>, at: usize) -> PlanarLoad<T> {
+    pub fn planar<const HAS_OPPOSITE: bool>(&self, equations: Range<usize>, at: usize) -> PlanarLoad<T, HAS_OPPOSITE> {
         let [x, y, torque] = self.actions_from(at);
         PlanarLoad { force: Vector2::new(x, y), torque, is_unique: self.are_unique(equations) }
     }
@@ -155,7 +157,7 @@ impl<T: Scalar, const M: usize, const A: usize> Loads<T, M, A> {
     /// The same in space.
     #[doc(hidden)]
     #[must_use]
-    pub fn spatial(&self, equations: Range<usize>, at: usize) -> SpatialLoad<T> {
+    pub fn spatial<const HAS_OPPOSITE: bool>(&self, equations: Range<usize>, at: usize) -> SpatialLoad<T, HAS_OPPOSITE> {
         let [x, y, z, about_x, about_y, about_z] = self.actions_from(at);
         let (force, torque) = (Vector3::new(x, y, z), Vector3::new(about_x, about_y, about_z));
         SpatialLoad { force, torque, is_unique: self.are_unique(equations) }

@@ -56,7 +56,7 @@ const SYNONYMS: [(&str, &[&str]); 47] = [
     ("drive_angle", &["drive_velocity", "drive_angular_velocity", "drive_speed", "rotate"]),
 ];
 
-/// Dimensions, with names that numbers of each usually have.
+/// Dimensions with their usual names.
 const USUAL: [(&str, &[&str]); 9] = [
     ("Angle", &["theta", "phi", "psi", "alpha", "beta", "gamma", "angle"]),
     ("AngularVelocity", &["omega", "w", "rpm"]),
@@ -69,7 +69,7 @@ const USUAL: [(&str, &[&str]); 9] = [
     ("Number", &["ratio", "n", "teeth"]),
 ];
 
-/// The dimension that a number of this name usually has; digits at its end do not count: `l2` is a length.
+/// The dimension that a number of this name usually has, whatever digits follow: `l2` is a length.
 pub(crate) fn usual_dimension(name: &str) -> Option<&'static str> {
     let stem = name.trim_end_matches(|end: char| end.is_ascii_digit() || end == '_').to_lowercase();
     USUAL.iter().find(|(_, names)| names.contains(&stem.as_str())).map(|(dimension, _)| *dimension)
@@ -108,7 +108,7 @@ pub(crate) fn nearest_unit(typed: &str) -> Option<String> {
     let is_repeated = |at: &usize| *at > 0 && letters[*at] == letters[at - 1];
     let without = |at: usize| letters[..at].iter().chain(&letters[at + 1..]).collect::<String>();
     let shorter = (0..letters.len()).filter(is_repeated).map(without).find(|shorter| unit(shorter).is_some());
-    // Another power is another quantity.
+    // A unit with another power is one of another dimension.
     let digits = |text: &str| text.chars().filter(char::is_ascii_digit).collect::<String>();
     shorter.or_else(|| nearest(typed, units().filter(|known| digits(known) == digits(typed))))
 }

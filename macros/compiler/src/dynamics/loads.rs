@@ -16,6 +16,7 @@ use super::axes::{AxesOfBody, Orientations};
 use super::cofactors::{BY_COFACTORS, Cofactors};
 use super::elimination::SparseRows;
 use super::order::{Grouping, OpenRows};
+use super::shares::shares;
 use super::trust::Trust;
 use crate::assembly::Assembly;
 use crate::expr::{Arena, Expr, Unary, Values, evaluate};
@@ -35,6 +36,8 @@ pub struct Loads {
     pub closed: Option<Multipliers>,
     /// Forces and torques of joints and powers of drives, from λ as data.
     pub actions: Vec<Expr>,
+    /// By joint whose bodies do not get opposite loads: the bodies beside the one on which its load is stated. Their loads follow it.
+    pub shares: BTreeMap<usize, Vec<usize>>,
 }
 
 /// Multipliers, and the checks of their computation.
@@ -57,6 +60,7 @@ pub(crate) fn loads(model: &Model, system: &System, structure: &Structure, assem
     let equations = system.loads.as_ref().filter(|_| model.task.is_determined())?;
     let mut arena = system.arena.clone();
     let is_square = equations.rows.len() == equations.forces.len() && structure.checked.is_empty() && assembly.is_closed;
+    let shares = at_defaults(model, system, |numeric| shares(numeric, &mut arena, assembly, equations));
     let closed = is_square.then(|| {
         at_defaults(model, system, |numeric| {
             let numbers = numbers(numeric, &mut arena, assembly, equations);
@@ -66,18 +70,25 @@ pub(crate) fn loads(model: &Model, system: &System, structure: &Structure, assem
     });
     let closed = closed.flatten().map(|(mut values, checks)| {
         let of_joints = equations.rows.iter().filter(|row| !row.is_of_freedom).count();
-        let actions = actions(model, &mut arena, equations, &values);
+        let actions = actions(model, &mut arena, equations, &shares, &values);
         values.truncate(of_joints);
         Multipliers { values, actions, checks }
     });
     let data: Vec<Expr> = (0..equations.rows.len() as u32).map(|number| arena.leaf(crate::expr::Leaf::Datum(number))).collect();
-    let actions = actions(model, &mut arena, equations, &data);
-    Some(Loads { arena, closed, actions })
+    let actions = actions(model, &mut arena, equations, &shares, &data);
+    Some(Loads { arena, closed, actions, shares })
 }
 
-/// Loads of joints, drives and forces: for each joint the force at its point and the torque about it, for each drive its power, for each force
-/// its forces, its torques and its power.
-fn actions(model: &Model, arena: &mut Arena, equations: &LoadEquations, multipliers: &[Expr]) -> Vec<Expr> {
+/// Loads of joints, drives and forces: for each joint the force at its point and the torque about it, and those about the origins of the bodies
+/// with loads of their own, for each drive its power, for each force its forces, its torques and its power.
+fn actions(
+    model: &Model,
+    arena: &mut Arena,
+    equations: &LoadEquations,
+    shares: &BTreeMap<usize, Vec<usize>>,
+    multipliers: &[Expr],
+) -> Vec<Expr> {
+    let origin = vec![arena.integer(0); model.ambient.components()];
     let mut actions = Vec::new();
     for (index, joint) in model.joints.iter().enumerate().filter(|(_, joint)| joint.freedom.is_none()) {
         let own: Vec<(&LoadRow, Expr)> =
@@ -86,9 +97,12 @@ fn actions(model: &Model, arena: &mut Arena, equations: &LoadEquations, multipli
             actions.push(effort(arena, &own));
             actions.push(less(arena, own.iter().map(|(row, multiplier)| (row.nu, *multiplier))));
         } else if let Some((body, arm)) = &equations.arms[index] {
-            let columns: Vec<Vec<Expr>> = own.iter().map(|(row, _)| about_point(model.ambient, arena, row, *body, arm)).collect();
-            for k in 0..columns.first().map_or(0, Vec::len) {
-                actions.push(less(arena, columns.iter().zip(&own).map(|(column, (_, multiplier))| (column[k], *multiplier))));
+            let others = shares.get(&index).into_iter().flatten().map(|body| (body, &origin));
+            for (body, arm) in [(body, arm)].into_iter().chain(others) {
+                let columns: Vec<Vec<Expr>> = own.iter().map(|(row, _)| about_point(model.ambient, arena, row, *body, arm)).collect();
+                for k in 0..columns.first().map_or(0, Vec::len) {
+                    actions.push(less(arena, columns.iter().zip(&own).map(|(column, (_, multiplier))| (column[k], *multiplier))));
+                }
             }
         }
     }

@@ -17,6 +17,7 @@ mod embedding;
 mod loads;
 mod massless;
 mod order;
+mod shares;
 mod spins;
 mod squares;
 #[cfg(test)]

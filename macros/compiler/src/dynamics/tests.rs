@@ -1,6 +1,7 @@
 //! Loads in closed form against a dense solution of the same equations.
 
 mod accelerations;
+mod shares;
 mod squares;
 
 use super::loads::state_at_start;

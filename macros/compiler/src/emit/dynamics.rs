@@ -238,7 +238,7 @@ impl Emitter<'_> {
             pub fn step(&self, state: &mut #state<T>, h: T) -> ::core::result::Result<(), #failure> {
                 ::reuleaux::motion::fixed_step(self, &mut state.0, h)
             }
-            /// Kinetic energy, potential energy of gravity and of each `energy`, and the power of the forces declared.
+            /// Kinetic energy, potential energy of gravity and of each `energy`, and the power of forces and of potentials that depend on time.
             #[must_use]
             pub fn energy(&self, state: &#state<T>) -> ::reuleaux::Energy<T> {
                 ::reuleaux::Dynamics::energy(self, &state.q, &state.qd, state.t)

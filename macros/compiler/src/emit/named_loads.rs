@@ -38,7 +38,7 @@ impl Emitter<'_> {
         let name = Ident::new(&format!("load_of_{}", load.name.local), Span::call_site());
         // Joints and drives are read from their actions alone.
         let read = match load.kind {
-            LoadKind::Joint(_) | LoadKind::Drive => &NamedLoad { multipliers: 0..0, ..load.clone() },
+            LoadKind::Joint(_) | LoadKind::Share { .. } | LoadKind::Drive => &NamedLoad { multipliers: 0..0, ..load.clone() },
             _ => load,
         };
         let Reading { page, kind, call } = self.reading(read, 0, 0);
@@ -95,16 +95,13 @@ impl Emitter<'_> {
                 kind: quote!(::reuleaux::DriveLoad<T>),
                 call: quote!(drive(#from..#to, #place)),
             },
-            LoadKind::Joint(body) => {
+            LoadKind::Joint(body) | LoadKind::Share { body, .. } => {
                 let (kind, method) = (format_ident!("{path}Load"), format_ident!("{}", path.to_lowercase()));
-                Reading {
-                    page: format!(
-                        "What the joint `{name}` does to `{}`: the force at its point, and the torque about it, in ground.",
-                        self.model.bodies[*body].name
-                    ),
-                    kind: quote!(::reuleaux::#kind<T>),
-                    call: quote!(#method(#from..#to, #place)),
-                }
+                let has_no_opposite = matches!(load.kind, LoadKind::Share { .. }).then(|| quote!(, false));
+                let of = if matches!(load.kind, LoadKind::Share { is_stated: false, .. }) { "the body's origin" } else { "its point" };
+                let body = &self.model.bodies[*body].name;
+                let page = format!("What the joint `{name}` does to `{body}`: the force at {of}, and the torque about it, in ground.");
+                Reading { page, kind: quote!(::reuleaux::#kind<T #has_no_opposite>), call: quote!(#method(#from..#to, #place)) }
             }
             // Equations between angles of other joints act nowhere in particular.
             LoadKind::Equations => {

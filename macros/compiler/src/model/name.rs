@@ -60,6 +60,11 @@ impl Name {
         path.map_or(&self.path, |path| path.strip_suffix(".value").unwrap_or(path))
     }
 
+    /// The name of the load of this joint on a body: `mesh_on_wheel`.
+    pub(crate) fn on(&self, body: &Name) -> Name {
+        Name { local: format!("{}_on_{}", self.local, body.local), ..self.clone() }
+    }
+
     /// A name in a namespace whose paths begin with `prefix`.
     pub(crate) fn within(prefix: &str, word: &Ident, declaration: usize, indices: &[usize]) -> Name {
         let mut name = Name { declaration, indices: indices.to_vec(), ..Name::plain(word) };

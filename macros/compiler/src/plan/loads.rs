@@ -59,6 +59,13 @@ pub enum LoadKind {
     Drive,
     /// Force and torque on the body of this index.
     Joint(usize),
+    /// The same where the bodies of the joint do not get opposite loads; about the origin of the body unless it is where the joint states its load.
+    Share {
+        /// Index of the body.
+        body: usize,
+        /// About the point of the joint.
+        is_stated: bool,
+    },
     /// Multipliers alone.
     Equations,
     /// Vectors in the order declared, each on a body or on ground: true for torques.
@@ -77,7 +84,7 @@ pub(super) fn code(model: &Model, system: &System, loads: Option<&Loads>) -> Opt
         let results = found.values.iter().chain(&found.actions).chain(found.checks.iter().flatten());
         line(results.copied().collect())
     });
-    let mut named = named(model, equations);
+    let mut named = named(model, equations, loads);
     for load in named.iter_mut().filter(|load| load.is_slice) {
         load.alone = alone(loads, load).map(line);
     }
@@ -95,19 +102,28 @@ pub(super) fn code(model: &Model, system: &System, loads: Option<&Loads>) -> Opt
 }
 
 /// Where joints, drives and forces stand among multipliers and actions.
-fn named(model: &Model, equations: &LoadEquations) -> Vec<NamedLoad> {
+fn named(model: &Model, equations: &LoadEquations, loads: &Loads) -> Vec<NamedLoad> {
+    let each = if model.ambient == Ambient::Space { 6 } else { 3 };
     let (mut first, mut at, mut named) = (0, 0, Vec::new());
     for (index, joint) in model.joints.iter().enumerate().filter(|(_, joint)| joint.freedom.is_none()) {
         let count = equations.rows.iter().filter(|row| row.joint == index).count();
-        let (kind, width) = match (&equations.arms[index], model.ambient) {
+        let others = loads.shares.get(&index);
+        let (kind, width) = match &equations.arms[index] {
             _ if joint.is_drive => (LoadKind::Drive, 2),
-            (Some((body, _)), Ambient::Plane) => (LoadKind::Joint(*body), 3),
-            (Some((body, _)), Ambient::Space) => (LoadKind::Joint(*body), 6),
-            (None, _) => (LoadKind::Equations, 0),
+            Some((body, _)) if others.is_some() => (LoadKind::Share { body: *body, is_stated: true }, each),
+            Some((body, _)) => (LoadKind::Joint(*body), each),
+            None => (LoadKind::Equations, 0),
         };
         let (multipliers, actions) = (first..first + count, at..at + width);
         named.push(NamedLoad { name: joint.name.clone(), kind, multipliers, actions, is_slice: joint.is_slice, alone: None });
-        (first, at) = (first + count, at + width);
+        at += width;
+        for body in others.into_iter().flatten() {
+            let (multipliers, actions) = (first..first + count, at..at + each);
+            let (name, kind) = (joint.name.on(&model.bodies[*body].name), LoadKind::Share { body: *body, is_stated: false });
+            named.push(NamedLoad { name, kind, multipliers, actions, is_slice: joint.is_slice, alone: None });
+            at += each;
+        }
+        first += count;
     }
     for (number, (force, push)) in model.declared_forces.iter().zip(&equations.pushes).enumerate() {
         let own = model.forces.iter().filter(|part| part.of == number);

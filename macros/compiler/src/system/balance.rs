@@ -17,7 +17,7 @@ pub struct Balance {
     pub forces: Vec<Expr>,
     /// Potential energy, of gravity and as declared.
     pub potential: Expr,
-    /// Power of the forces declared, and of whatever moves a potential in time.
+    /// Power of the forces declared, and rate of the potential where nothing moves.
     pub power: Expr,
 }
 
@@ -28,7 +28,8 @@ impl Balance {
         let zero = arena.integer(0);
         let each = if model.ambient == Ambient::Space { 6 } else { 3 };
         let forces = dynamics::unbalanced(model, arena, spins).unwrap_or_else(|| vec![zero; each * model.bodies.len()]);
-        Balance { forces, potential: potential(model, arena), power: power(model, arena) }
+        let potential = potential(model, arena);
+        Balance { forces, potential, power: power(model, arena, potential) }
     }
 
     /// Every expression, as `of` writes it.
@@ -90,10 +91,9 @@ pub(super) fn potential(model: &Model, arena: &mut Arena) -> Expr {
 }
 
 /// Σ F · v_P + T · ω + ∂V/∂t
-pub(super) fn power(model: &Model, arena: &mut Arena) -> Expr {
+pub(super) fn power(model: &Model, arena: &mut Arena, potential: Expr) -> Expr {
     let of_forces = model.forces.iter().fold(arena.integer(0), |sum, force| add_power(model, arena, sum, force));
     // Inputs are functions of time.
-    let potential = potential(model, arena);
     let change = derivative(arena, potential, Leaf::Time);
     arena.add(of_forces, change)
 }

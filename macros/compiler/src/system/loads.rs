@@ -260,7 +260,8 @@ fn slope(model: &Model, arena: &mut Arena, equation: &Equation) -> Option<Expr> 
 }
 
 fn energies(model: &Model, arena: &mut Arena) -> [Expr; 3] {
-    [dynamics::kinetic(model, arena), balance::potential(model, arena), balance::power(model, arena)]
+    let (kinetic, potential) = (dynamics::kinetic(model, arena), balance::potential(model, arena));
+    [kinetic, potential, balance::power(model, arena, potential)]
 }
 
 fn arms(model: &Model, arena: &mut Arena) -> Vec<Option<(usize, Vec<Expr>)>> {

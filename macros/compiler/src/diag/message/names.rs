@@ -102,10 +102,10 @@ impl Display for NameFact {
             NameFact::UnknownUnit { name, .. } if name == "Hz" => {
                 write!(f, "no unit is called `Hz`\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`")
             }
-            NameFact::UnknownUnit { name, .. } if equivalent(name).is_some() => {
-                write!(f, "no unit is called `{name}`\nhelp: `1{name}` is `{}`", equivalent(name).unwrap_or_default())
-            }
             NameFact::UnknownUnit { number, name, near } => {
+                if let Some(equivalent) = equivalent(name) {
+                    return write!(f, "no unit is called `{name}`\nhelp: `1{name}` is `{equivalent}`");
+                }
                 write!(f, "no unit is called `{}`{}", shortened(name), did_you_mean(&near.as_ref().map(|near| format!("{number}{near}"))))?;
                 if near.is_none() {
                     write!(f, "\nnote: there are {}", listed(crate::quantity::units()))?;
@@ -165,11 +165,11 @@ impl Display for NameFact {
     }
 }
 
-/// How a number is declared that is named without being there.
+/// How to declare a number of this name.
 fn declaration(name: &str, dimension: &str, is_of_definition: bool) -> String {
     if is_of_definition {
         return format!("take it as an argument, `{name}: {dimension}`");
     }
-    let measured = if dimension == "Angle" { format!(", or `input {name}: Angle;` if it is given at each step") } else { String::new() };
-    format!("declare it, such as `param {name}: {dimension} = …;`{measured}")
+    let input = if dimension == "Angle" { format!(", or `input {name}: Angle;` if it is given at each step") } else { String::new() };
+    format!("declare it, such as `param {name}: {dimension} = …;`{input}")
 }
