@@ -147,7 +147,7 @@ pub use api::{
 };
 #[doc(hidden)]
 pub use api::{
-    Named, Output, Relation, advance_once_with_inputs, advance_with_inputs, between, finite, listed, require, solve_with_inputs,
+    Named, Opposed, Output, Relation, advance_once_with_inputs, advance_with_inputs, between, finite, listed, require, solve_with_inputs,
     sweep_with_inputs, within,
 };
 #[doc(hidden)]

@@ -30,9 +30,9 @@ pub struct Loads<T, const M: usize, const A: usize> {
 /// * `HAS_OPPOSITE`: false for a joint whose other body does not get the opposite load, such as a gear pair: it has a load for each body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanarLoad<T, const HAS_OPPOSITE: bool = true> {
-    /// Force at the joint's point, in N.
+    /// Force at the joint's point, of `loads.joint_on_body()` at the origin of the body, in N.
     pub force: Vector2<T>,
-    /// Torque about the joint's point, in N m.
+    /// Torque about the same point, in N m.
     pub torque: T,
     /// True if both are unique; with redundant joints they may not be.
     pub is_unique: bool,
@@ -43,23 +43,24 @@ pub struct PlanarLoad<T, const HAS_OPPOSITE: bool = true> {
 /// * `HAS_OPPOSITE`: false for a joint whose other body does not get the opposite load, such as a gear pair: it has a load for each body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpatialLoad<T, const HAS_OPPOSITE: bool = true> {
-    /// Force at the joint's point, in N.
+    /// Force at the joint's point, of `loads.joint_on_body()` at the origin of the body, in N.
     pub force: Vector3<T>,
-    /// Torque about the joint's point, in N m.
+    /// Torque about the same point, in N m.
     pub torque: Vector3<T>,
     /// True if both are unique; with redundant joints they may not be.
     pub is_unique: bool,
 }
 
-impl<T: Scalar> PlanarLoad<T> {
+impl<T: Scalar, const HAS_OPPOSITE: bool> PlanarLoad<T, HAS_OPPOSITE> {
     /// The opposite load, which acts on the other body about the same point.
     #[must_use]
-    pub fn on_other(self) -> Self {
+    pub fn on_other(self) -> Self
+    where
+        Self: Opposed,
+    {
         Self { force: self.force.map(|part| -part), torque: -self.torque, ..self }
     }
-}
 
-impl<T: Scalar, const HAS_OPPOSITE: bool> PlanarLoad<T, HAS_OPPOSITE> {
     /// The same load with the components of its force in the frame of a body.
     #[must_use]
     pub fn in_axes_of(self, body: &PlanarBody<T>) -> Self {
@@ -69,15 +70,16 @@ impl<T: Scalar, const HAS_OPPOSITE: bool> PlanarLoad<T, HAS_OPPOSITE> {
     }
 }
 
-impl<T: Scalar> SpatialLoad<T> {
+impl<T: Scalar, const HAS_OPPOSITE: bool> SpatialLoad<T, HAS_OPPOSITE> {
     /// The opposite load, which acts on the other body about the same point.
     #[must_use]
-    pub fn on_other(self) -> Self {
+    pub fn on_other(self) -> Self
+    where
+        Self: Opposed,
+    {
         Self { force: self.force.map(|part| -part), torque: self.torque.map(|part| -part), ..self }
     }
-}
 
-impl<T: Scalar, const HAS_OPPOSITE: bool> SpatialLoad<T, HAS_OPPOSITE> {
     /// The same load with its components in the frame of a body.
     #[must_use]
     pub fn in_axes_of(self, body: &SpatialBody<T>) -> Self {
@@ -86,6 +88,35 @@ impl<T: Scalar, const HAS_OPPOSITE: bool> SpatialLoad<T, HAS_OPPOSITE> {
         Self { force: along(self.force), torque: along(self.torque), ..self }
     }
 }
+
+/// A load whose opposite acts on the other body of the joint.
+///
+/// ```compile_fail,E0277
+/// reuleaux::mechanism! {
+///     mechanism Pair {
+///         ground { point A = (1m, 0m); }
+///         body large { mass = 1kg;  inertia = 0.1kgm2; }
+///         body small { mass = 1kg;  inertia = 0.02kgm2; }
+///         joint of_large = revolute(ground.position, large.position);
+///         joint of_small = revolute(ground.A, small.position);
+///         joint mesh = gear_pair(large, small, 1, 3);
+///         drive motor = drive_angle(small, 2rad_s * t);
+///     }
+/// }
+///
+/// let pair = Pair::default();
+/// let _ = pair.loads(&pair.solve(0.1).unwrap()).mesh().on_other();
+/// ```
+#[doc(hidden)]
+#[diagnostic::on_unimplemented(
+    message = "the bodies of this joint do not get opposite loads",
+    note = "the load on each of its bodies has a method: `loads.mesh_on_wheel()` of a joint `mesh` and a body `wheel`"
+)]
+pub trait Opposed {}
+
+impl<T> Opposed for PlanarLoad<T> {}
+
+impl<T> Opposed for SpatialLoad<T> {}
 
 /// Load that a drive must supply.
 #[derive(Clone, Copy, Debug, PartialEq)]

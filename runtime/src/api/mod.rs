@@ -25,7 +25,7 @@ pub use forces::{PlanarForce, SpatialForce};
 pub use generated::{Matrix, Named, Relation, Vector, between, finite, require, within};
 pub use gradient::{Differentiable, Gradient};
 pub use inputs::{advance_once_with_inputs, advance_with_inputs, solve_with_inputs, sweep_with_inputs};
-pub use loads::{DriveLoad, Loads, PlanarLoad, SpatialLoad};
+pub use loads::{DriveLoad, Loads, Opposed, PlanarLoad, SpatialLoad};
 pub use mechanism::Mechanism;
 pub use outputs::{Output, OutputName, OutputNames, Outputs, listed};
 pub use prepared::{Prepare, Prepared};
