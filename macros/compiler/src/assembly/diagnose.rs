@@ -138,6 +138,7 @@ impl Judge<'_> {
                             .map(|other| self.joint(*other))
                             .collect(),
                         drives: self.drives(index),
+                        starts: self.starts(index),
                         bound: self.bound(index, start).map(Box::new),
                     };
                     return Some(((&numeric.model.joints[joint].name).into(), fact));
@@ -148,6 +149,7 @@ impl Judge<'_> {
         let fact = AssemblyFact::NeverCloses {
             joints: joints.iter().map(|joint| self.joint(*joint)).collect(),
             drives: self.drives(index),
+            starts: self.starts(index),
             bound: self.bound(index, start).map(Box::new),
         };
         Some(((&numeric.model.joints[last].name).into(), fact))
@@ -349,14 +351,33 @@ impl Judge<'_> {
         self.numeric.model.joints[self.numeric.system.equations[equation].joint].is_drive
     }
 
-    /// Drives on which a block depends, its own included.
-    fn upstream_drives(&self, index: usize) -> BTreeSet<usize> {
+    /// True if an equation holds a coordinate at its start, because only velocities determine it.
+    fn is_pin(&self, equation: usize) -> bool {
+        let equation = &self.numeric.system.equations[equation];
+        equation.row >= self.numeric.model.joints[equation.joint].residuals.len()
+    }
+
+    /// Equations on which a block depends, its own included.
+    fn upstream_equations(&self, index: usize) -> impl Iterator<Item = usize> {
         let blocks = self.upstream.all(index).into_iter().chain([index]);
-        let equations = blocks.flat_map(|block| self.structure.blocks[block].parts().1);
-        equations.filter(|equation| self.is_of_drive(*equation)).map(|equation| self.numeric.system.equations[equation].joint).collect()
+        blocks.flat_map(|block| self.structure.blocks[block].parts().1)
+    }
+
+    /// Drives, and freedoms of positions, on which a block depends, its own included.
+    fn upstream_drives(&self, index: usize) -> BTreeSet<usize> {
+        let of_drives = self.upstream_equations(index).filter(|equation| self.is_of_drive(*equation) && !self.is_pin(*equation));
+        of_drives.map(|equation| self.numeric.system.equations[equation].joint).collect()
     }
 
     fn drives(&self, index: usize) -> Vec<String> {
         self.upstream_drives(index).into_iter().map(|joint| self.joint(joint)).collect()
+    }
+
+    /// Bodies that are held at their start, because only velocities determine them, and on which a block depends.
+    fn starts(&self, index: usize) -> Vec<String> {
+        let pins = self.upstream_equations(index).filter(|equation| self.is_pin(*equation));
+        let unknowns = pins.flat_map(|equation| self.numeric.system.equations[equation].jacobian.iter().map(|(unknown, _)| *unknown));
+        let bodies: BTreeSet<usize> = unknowns.map(|unknown| self.numeric.system.coordinates[unknown].body).collect();
+        bodies.into_iter().map(|body| self.numeric.model.bodies[body].name.to_string()).collect()
     }
 }

@@ -262,11 +262,13 @@ pub enum AssemblyFact {
         gap: Box<Gap>,
         others: Vec<String>,
         drives: Vec<String>,
+        starts: Vec<String>,
         bound: Option<Box<Bound>>,
     },
     NeverCloses {
         joints: Vec<String>,
         drives: Vec<String>,
+        starts: Vec<String>,
         bound: Option<Box<Bound>>,
     },
     HasNoRate {

@@ -82,6 +82,17 @@ impl Numeric<'_> {
         (q, is_closed)
     }
 
+    /// The assembly at t = 0 of all overdetermined subsystems, from guesses of all their coordinates; true if one closes each of them.
+    pub(crate) fn assembled_widely(&self, subsystems: &[Subsystem], mut q: Vec<f64>) -> (Vec<f64>, bool) {
+        for subsystem in subsystems.iter().filter(|subsystem| subsystem.is_overdetermined) {
+            let mut problem = self.problem(&subsystem.equations, subsystem.unknowns.clone(), q.clone());
+            problem.closed = ROUNDED;
+            let Some(nearest) = self.search_widely(&mut problem, GUESSES).into_iter().next() else { return (q, false) };
+            subsystem.unknowns.iter().zip(nearest).for_each(|(unknown, value)| q[*unknown] = value);
+        }
+        (q, true)
+    }
+
     /// Best of several local minima of the residual of the overdetermined subsystems at t = 0; all other coordinates as in `q`.
     pub(crate) fn least_open(&self, subsystems: &[Subsystem], mut q: Vec<f64>) -> Vec<f64> {
         for subsystem in subsystems.iter().filter(|subsystem| subsystem.is_overdetermined) {

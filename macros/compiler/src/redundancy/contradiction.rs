@@ -195,7 +195,7 @@ impl Search<'_, '_> {
     }
 
     /// Joints of all overdetermined subsystems.
-    fn joints(&self) -> BTreeSet<usize> {
+    pub(super) fn joints(&self) -> BTreeSet<usize> {
         let subsystems = self.subsystems.iter().filter(|subsystem| subsystem.is_overdetermined);
         subsystems.flat_map(|subsystem| &subsystem.equations).map(|equation| self.numeric.system.equations[*equation].joint).collect()
     }

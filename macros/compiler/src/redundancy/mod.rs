@@ -151,7 +151,12 @@ pub(super) struct Search<'a, 'b> {
 impl Search<'_, '_> {
     fn surplus(&mut self) -> BTreeSet<usize> {
         let nothing = |_: usize| false;
-        let (start, is_closed) = self.numeric.assembled_in_order(self.subsystems, nothing);
+        let (mut start, mut is_closed) = self.numeric.assembled_in_order(self.subsystems, nothing);
+        let is_marked = self.joints().into_iter().any(|joint| self.numeric.model.joints[joint].is_redundant);
+        if !is_closed && is_marked {
+            // No joint is said to contradict the others before other beginnings than the declared start have been tried.
+            (start, is_closed) = self.numeric.assembled_widely(self.subsystems, start);
+        }
         if !is_closed {
             self.contradiction(&self.numeric.least_open(self.subsystems, start));
             return BTreeSet::new();

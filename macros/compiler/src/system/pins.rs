@@ -1,9 +1,11 @@
-//! Coordinates that only equations of speeds determine keep their declared start values.
+//! Coordinates that only equations of speeds determine keep their declared start values, or, if none is declared, those of a configuration
+//! nearby that satisfies the equations of positions.
 
 use super::rows::Row;
 use super::{Coordinate, Equation};
-use crate::expr::{Arena, Expr, Leaf, Values, evaluate};
+use crate::expr::{Arena, Evaluator, Exact, Expr, Leaf, Values, evaluate};
 use crate::linear::Echelon;
+use crate::linear::dense::cholesky;
 use crate::model::{Function, Model};
 use crate::quantity::{Dim, Role};
 
@@ -13,14 +15,29 @@ const CLEARLY: f64 = 0.1;
 /// The others are pinned if more than this share is open.
 const HARDLY: f64 = 1e-9;
 
+/// Newton steps to a configuration that satisfies the equations.
+const STEPS: usize = 40;
+
+/// Each step is halved at most so often.
+const HALVINGS: usize = 20;
+
+/// The equations hold if no row, divided by its largest derivative, exceeds this, in m or rad.
+const HOLDS: f64 = 1e-12;
+
+/// Added to the diagonal of Φ_q Φ_qᵀ, since rows may depend on each other.
+const DAMPING: f64 = 1e-13;
+
 /// Rows that hold the coordinates which the equations leave open at the start; they belong to the last freedom.
 pub(super) fn pins(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], equations: &[Equation]) -> Vec<Row> {
-    let (open, joint) = (open(model, arena, coordinates, equations), model.joints.len() - 1);
+    let (start, open) = open(model, arena, coordinates, equations);
+    let joint = model.joints.len() - 1;
     let first = model.joints[joint].residuals.len();
     let row = |(number, unknown): (usize, usize)| {
-        let Coordinate { role, start, .. } = coordinates[unknown];
+        let (role, declared) = (coordinates[unknown].role, coordinates[unknown].start);
         let leaf = arena.leaf(Leaf::Coordinate(unknown as u32));
-        let residual = start.map_or(leaf, |start| arena.sub(leaf, start));
+        let nearby = || Exact::binary(start[unknown]).filter(|_| !is_declared(model, &coordinates[unknown]));
+        let held = declared.or_else(|| nearby().map(|value| arena.constant(value)));
+        let residual = held.map_or(leaf, |held| arena.sub(leaf, held));
         let dim = match role {
             Role::Position(_) | Role::Displacement => Dim::LENGTH,
             Role::Angle => Dim::ANGLE,
@@ -31,8 +48,16 @@ pub(super) fn pins(model: &Model, arena: &mut Arena, coordinates: &[Coordinate],
     open.into_iter().enumerate().map(row).collect()
 }
 
-/// Unknowns that Φ_q leaves open at the declared start.
-fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], equations: &[Equation]) -> Vec<usize> {
+/// True if a start value of a coordinate is declared. The angle of a body in space of which the orientation is declared has one, even if it
+/// is 0.
+fn is_declared(model: &Model, coordinate: &Coordinate) -> bool {
+    let declared = &model.bodies[coordinate.body].coordinates;
+    let is_turned = || declared.iter().any(|one| matches!(one.role, Role::Quaternion(_)) && one.start.is_some());
+    coordinate.start.is_some() || coordinate.role == Role::Angle && is_turned()
+}
+
+/// A configuration near the declared start, and the unknowns that Φ_q leaves open there.
+fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], equations: &[Equation]) -> (Vec<f64>, Vec<usize>) {
     let functions = |number: u32, x: f64| match model.functions.get(number as usize) {
         Some(Function::Table(table)) => table.evaluate(x),
         _ => [f64::NAN; 3],
@@ -42,29 +67,118 @@ fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], equations: &[E
     let parameters = evaluate(arena, &defaults, &nothing);
     let known = Values { parameters: &parameters, ..nothing };
     let start = |coordinate: &Coordinate| coordinate.start.and_then(|start| evaluate(arena, &[start], &known).pop()).unwrap_or(0.0);
-    let start: Vec<f64> = coordinates.iter().map(start).collect();
-    let at_start = Values { coordinates: &start, ..known };
-    let mut echelon = Echelon::new(coordinates.len());
-    for equation in equations {
-        let mut row = vec![0.0; coordinates.len()];
-        let entries: Vec<Expr> = equation.jacobian.iter().map(|(_, entry)| *entry).collect();
-        for ((column, _), value) in equation.jacobian.iter().zip(evaluate(arena, &entries, &at_start)) {
-            row[*column] = value;
+    let declared: Vec<f64> = coordinates.iter().map(start).collect();
+    let mut rows = PositionRows::new(arena, &known, equations, coordinates.len());
+    let is_declared: Vec<bool> = coordinates.iter().map(|coordinate| is_declared(model, coordinate)).collect();
+    let open = rows.open(&declared, &is_declared);
+    let held: Vec<usize> = open.iter().copied().filter(|unknown| is_declared[*unknown]).collect();
+    match rows.closed_near(&declared, &held) {
+        // Declared values are kept, whether the others fit them or not.
+        Some(closed) if held.is_empty() => {
+            let open = rows.open(&closed, &is_declared);
+            (closed, open)
         }
-        echelon.takes(row);
+        Some(closed) => (closed, open),
+        None => (declared, open),
     }
-    // Coordinates with a declared start come first; among them and among the others, those that are no pivot of an equation.
-    let free = echelon.free();
-    let mut order: Vec<usize> = (0..coordinates.len()).collect();
-    order.sort_by_key(|unknown| (coordinates[*unknown].start.is_none(), !free.contains(unknown)));
-    let mut pinned = Vec::new();
-    for share in [CLEARLY, HARDLY] {
-        for unknown in &order {
-            let mut row = vec![0.0; coordinates.len()];
-            row[*unknown] = 1.0;
-            pinned.extend(echelon.takes_above(share, row).then_some(*unknown));
+}
+
+/// Equations of positions, at the defaults and t = 0.
+struct PositionRows<'a> {
+    known: Values<'a>,
+    evaluator: Evaluator,
+    /// Row and column of each derivative.
+    pattern: Vec<(usize, usize)>,
+    shape: [usize; 2],
+}
+
+impl<'a> PositionRows<'a> {
+    fn new(arena: &Arena, known: &Values<'a>, equations: &[Equation], columns: usize) -> PositionRows<'a> {
+        let rows: Vec<(Expr, &Equation)> = equations.iter().filter_map(|equation| Some((equation.phi()?, equation))).collect();
+        let entries = || rows.iter().enumerate().flat_map(|(row, (_, equation))| equation.jacobian.iter().map(move |one| (row, one)));
+        let roots: Vec<Expr> = rows.iter().map(|(phi, _)| *phi).chain(entries().map(|(_, (_, entry))| *entry)).collect();
+        let pattern = entries().map(|(row, (column, _))| (row, *column)).collect();
+        PositionRows { known: *known, evaluator: Evaluator::new(arena, &roots), pattern, shape: [rows.len(), columns] }
+    }
+
+    /// Φ and Φ_q, each row divided by its largest derivative. Rows without a value, such as those of Rust functions, count as closed.
+    fn at(&mut self, q: &[f64]) -> (Vec<f64>, Vec<Vec<f64>>) {
+        let [rows, columns] = self.shape;
+        let mut values = vec![0.0; rows + self.pattern.len()];
+        self.evaluator.run(&Values { coordinates: q, ..self.known }, &mut values);
+        let mut jacobian = vec![vec![0.0; columns]; rows];
+        self.pattern.iter().zip(&values[rows..]).for_each(|((row, column), entry)| jacobian[*row][*column] = *entry);
+        values.truncate(rows);
+        for (phi, row) in values.iter_mut().zip(&mut jacobian) {
+            let largest = row.iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
+            if !phi.is_finite() || row.iter().any(|entry| !entry.is_finite()) {
+                *phi = 0.0;
+                row.fill(0.0);
+            } else if largest > 0.0 {
+                *phi /= largest;
+                row.iter_mut().for_each(|entry| *entry /= largest);
+            }
         }
+        (values, jacobian)
     }
-    pinned.sort_unstable();
-    pinned
+
+    /// The unknowns that Φ_q leaves open at a configuration.
+    fn open(&mut self, q: &[f64], is_declared: &[bool]) -> Vec<usize> {
+        let mut echelon = Echelon::new(q.len());
+        for row in self.at(q).1 {
+            echelon.takes(row);
+        }
+        // Coordinates with a declared start come first; among them and among the others, those that are no pivot of an equation.
+        let free = echelon.free();
+        let mut order: Vec<usize> = (0..q.len()).collect();
+        order.sort_by_key(|unknown| (!is_declared[*unknown], !free.contains(unknown)));
+        let mut pinned = Vec::new();
+        for share in [CLEARLY, HARDLY] {
+            for unknown in &order {
+                let mut row = vec![0.0; q.len()];
+                row[*unknown] = 1.0;
+                pinned.extend(echelon.takes_above(share, row).then_some(*unknown));
+            }
+        }
+        pinned.sort_unstable();
+        pinned
+    }
+
+    /// A configuration that satisfies the equations, by the shortest steps Φ_qᵀ (Φ_q Φ_qᵀ)⁻¹ Φ; `None` if they do not lead to one. The
+    /// values of some unknowns are held.
+    fn closed_near(&mut self, start: &[f64], held: &[usize]) -> Option<Vec<f64>> {
+        let mut q = start.to_vec();
+        let (mut phi, mut jacobian) = self.at(&q);
+        for _ in 0..STEPS {
+            if phi.iter().all(|value| value.abs() <= HOLDS) {
+                return Some(q);
+            }
+            jacobian.iter_mut().for_each(|row| held.iter().for_each(|unknown| row[*unknown] = 0.0));
+            let change = shortest(&phi, &jacobian)?;
+            let cost = product(&phi, &phi);
+            let shorter = (0..HALVINGS).find_map(|halvings| {
+                let share = 0.5_f64.powi(halvings as i32);
+                let trial: Vec<f64> = q.iter().zip(&change).map(|(value, change)| value - share * change).collect();
+                let there = self.at(&trial);
+                (product(&there.0, &there.0) < cost).then_some((trial, there))
+            });
+            (q, (phi, jacobian)) = shorter?;
+        }
+        None
+    }
+}
+
+/// The shortest change by which the linearized equations hold.
+fn shortest(phi: &[f64], jacobian: &[Vec<f64>]) -> Option<Vec<f64>> {
+    let mut matrix: Vec<Vec<f64>> = jacobian.iter().map(|one| jacobian.iter().map(|other| product(one, other)).collect()).collect();
+    for (number, row) in matrix.iter_mut().enumerate() {
+        row[number] += DAMPING;
+    }
+    let factors = cholesky(matrix, phi.to_vec())?;
+    let columns = jacobian.first()?.len();
+    Some((0..columns).map(|column| factors.iter().zip(jacobian).map(|(factor, row)| factor * row[column]).sum()).collect())
+}
+
+fn product(one: &[f64], other: &[f64]) -> f64 {
+    one.iter().zip(other).map(|(one, other)| one * other).sum()
 }

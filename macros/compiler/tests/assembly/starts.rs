@@ -368,3 +368,61 @@ fn a_start_is_at_the_rounding_limit() {
         assert!(x.abs() < 4e-16 && y.abs() < 4e-16, "{x:e} and {y:e} for {lengths:?} at {angle}");
     }
 }
+
+#[test]
+fn orientations_place_the_links_between_ground_and_a_declared_place() {
+    // Sarrus' linkage: neither `upper` nor `outer` says where it is.
+    let source = "mechanism Sarrus in space {
+        ground { axis x = (1, 0, 0); axis y = (0, 1, 0); point P = (0mm, -200mm, 0mm); point Q = (-200mm, 0mm, 0mm); }
+        body platform { axis x = (1, 0, 0); axis y = (0, 1, 0); point P = (0mm, -200mm, 0mm); point Q = (-200mm, 0mm, 0mm); start z = 360mm; }
+        body lower { axis x = (1, 0, 0); point P = (0mm, 300mm, 0mm); start orientation = turn((1, 0, 0), 143deg); }
+        body upper { axis x = (1, 0, 0); point P = (0mm, 300mm, 0mm); start orientation = turn((1, 0, 0), 37deg); }
+        body inner { axis y = (0, 1, 0); point Q = (300mm, 0mm, 0mm); start orientation = turn((0, 1, 0), -143deg); }
+        body outer { axis y = (0, 1, 0); point Q = (300mm, 0mm, 0mm); start orientation = turn((0, 1, 0), -37deg); }
+        joint a = revolute(ground.P, ground.x, lower.position, lower.x);
+        joint b = revolute(lower.P, lower.x, upper.position, upper.x);
+        joint c = revolute(upper.P, upper.x, platform.P, platform.x);
+        joint d = revolute(ground.Q, ground.y, inner.position, inner.y);
+        joint e = revolute(inner.Q, inner.y, outer.position, outer.y);
+        redundant joint f = revolute(outer.Q, outer.y, platform.Q, platform.y);
+        drive lift = drive_rotation(a, 143deg - 5deg * sin(1rad_s * t));
+    }";
+    let knee = [-0.2 + 0.3 * 143.0_f64.to_radians().cos(), 0.3 * 143.0_f64.to_radians().sin()];
+    for declared in ["start z = 360mm;", "start z = 300mm;", ""] {
+        let compiled = accepted(&source.replace("start z = 360mm;", declared));
+        let found = ["upper.y", "upper.z", "outer.x", "outer.z", "platform.y", "platform.z"].map(|name| start(&compiled, name));
+        let wanted = [knee[0], knee[1], knee[0], knee[1], 0.0, 2.0 * knee[1]];
+        assert!(found.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-12), "{found:?} for {declared}");
+    }
+}
+
+#[test]
+fn coordinates_held_by_a_freedom_of_velocity_begin_where_the_mechanism_closes() {
+    // The rail is 450 mm above the hinge: at an angle of 0 the rod does not reach it.
+    let source = |declared: &str| {
+        format!(
+            "mechanism Slider {{
+                ground {{ axis u = (1, 0); point Q = (0mm, 450mm); }}
+                body crank {{ point A = (100mm, 0mm); mass = 1kg; inertia = 1kgm2; {declared} }}
+                body slider {{ mass = 1kg; inertia = 1kgm2; }}
+                joint o = revolute(ground.position, crank.position);
+                joint rail = translational(ground.u, ground.Q, slider.position);
+                joint rod = distance(crank.A, slider.position, 400mm);
+                freedom spin = crank.angular_velocity from 1rad_s;
+            }}"
+        )
+    };
+    let length = |declared: &str| {
+        let compiled = accepted(&source(declared));
+        let [angle, x] = ["crank.angle", "slider.x"].map(|name| start(&compiled, name));
+        (angle, (0.1 * angle.cos() - x).hypot(0.1 * angle.sin() - 0.45))
+    };
+    let (angle, rod) = length("");
+    assert!(angle != 0.0 && (rod - 0.4).abs() < 1e-12, "{rod} at {angle}");
+    let (angle, rod) = length("start angle = 60deg;");
+    assert!((angle - 60.0_f64.to_radians()).abs() < 1e-12 && (rod - 0.4).abs() < 1e-12, "{rod} at {angle}");
+    match refused(&source("start angle = 1deg;")) {
+        Fact::Assembly(AssemblyFact::StaysOpen { starts, drives, .. }) => assert_eq!((starts, drives), (vec!["crank".to_owned()], vec![])),
+        other => panic!("{other}"),
+    }
+}

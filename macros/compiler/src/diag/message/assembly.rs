@@ -8,17 +8,17 @@ use std::fmt::{Display, Formatter, Result};
 impl Display for AssemblyFact {
     fn fmt(&self, f: &mut Formatter) -> Result {
         match self {
-            AssemblyFact::StaysOpen { joint, gap, others, drives, bound } => {
+            AssemblyFact::StaysOpen { joint, gap, others, drives, starts, bound } => {
                 write!(f, "`{joint}` stays open by {}", of_gap(gap))?;
                 let with = if others.len() == 1 { "is" } else { "are" };
                 if !others.is_empty() {
                     write!(f, " when {} {with} closed", list(others))?;
                 }
-                remedy(f, drives, bound.as_deref())
+                remedy(f, drives, starts, bound.as_deref())
             }
-            AssemblyFact::NeverCloses { joints, drives, bound } => {
+            AssemblyFact::NeverCloses { joints, drives, starts, bound } => {
                 write!(f, "no way was found to close {} together, not even with one of them left open", list(joints))?;
-                remedy(f, drives, bound.as_deref())
+                remedy(f, drives, starts, bound.as_deref())
             }
             AssemblyFact::HasNoValue { joint, row, of, drives, has_none_anywhere } => {
                 write!(f, "{}", equation(*row, *of))?;
@@ -143,11 +143,15 @@ fn short_of(time: f64) -> f64 {
 }
 
 /// Writes why the mechanism does not close, if that is known, and a remedy.
-fn remedy(f: &mut Formatter, drives: &[String], bound: Option<&Bound>) -> Result {
+fn remedy(f: &mut Formatter, drives: &[String], starts: &[String], bound: Option<&Bound>) -> Result {
     if let Some(bound) = bound {
         write!(f, "\nnote: {}", of_bound(bound))?;
     }
     write!(f, "\nhelp: change a length or a place")?;
+    if !starts.is_empty() && bound.is_none_or(|bound| !bound.is_always) {
+        let each = if starts.len() == 1 { "" } else { "each of " };
+        write!(f, ", or declare another `start` of {each}{}", list(starts))?;
+    }
     match (drives.is_empty(), bound) {
         (true, _) => Ok(()),
         (_, Some(Bound { is_always: true, .. })) => write!(f, ": no value of {} helps", list(drives)),

@@ -40,6 +40,8 @@ pub(super) struct Forest<'a> {
     reached: Vec<Option<(usize, Option<usize>)>>,
     /// Axes at the start of bodies whose orientation is not declared, as their joints turn them.
     started: BTreeMap<usize, Started>,
+    /// Positions at the start of bodies of which they are not declared, as their joints place them.
+    origins: BTreeMap<usize, Triple>,
     /// Bodies that turn to their declared place at the start, and those that keep the orientation of such a body.
     placed: BTreeSet<usize>,
     /// Angles between triads.
@@ -92,6 +94,7 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena, free_speeds: FreeSpeeds) 
         coordinates: Vec::new(),
         reached: vec![None; bodies],
         started: BTreeMap::new(),
+        origins: BTreeMap::new(),
         placed: BTreeSet::new(),
         angles: Vec::new(),
         displacements: HashMap::new(),

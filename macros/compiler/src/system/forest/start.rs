@@ -51,10 +51,37 @@ impl Forest<'_> {
         [0, 1, 2].map(|k| self.arena.add(origin[k], turned[k]))
     }
 
-    /// Declared position of a body at the start.
+    /// Position of a body at the start: as declared, or else by the point that it shares with the body that it was reached from.
     fn origin_at_start(&mut self, body: usize) -> Triple {
+        if let Some(origin) = self.origins.get(&body) {
+            return *origin;
+        }
+        let declared = [0, 1, 2].map(|k| self.coordinates[Ambient::Space.first_coordinate(body) + k].start);
+        let reached = self.reached[body].filter(|_| declared.iter().any(Option::is_none));
+        let shared = reached.and_then(|(_, from)| self.shared_point(from, Some(body)));
+        let by_joint = shared.map(|(at, own)| {
+            let [to, back] = [at, own].map(|place| self.hinged_at_start(place));
+            let from = at.body.map(|from| self.origin_at_start(from));
+            [0, 1, 2].map(|k| {
+                let place = from.map_or(to[k], |from| self.arena.add(from[k], to[k]));
+                self.arena.sub(place, back[k])
+            })
+        });
         let zero = self.arena.integer(0);
-        [0, 1, 2].map(|k| self.coordinates[Ambient::Space.first_coordinate(body) + k].start.unwrap_or(zero))
+        let origin = [0, 1, 2].map(|k| declared[k].unwrap_or_else(|| by_joint.map_or(zero, |by_joint| by_joint[k])));
+        if by_joint.is_some() {
+            self.origins.insert(body, origin);
+        }
+        origin
+    }
+
+    /// The point that two bodies share, in each of them.
+    fn shared_point(&self, from: Option<usize>, to: Option<usize>) -> Option<(Place, Place)> {
+        self.model.space.relations.iter().find_map(|(_, _, relation)| match relation {
+            Relationship::Coincident(one, two) if (one.body, two.body) == (from, to) => Some((*one, *two)),
+            Relationship::Coincident(one, two) if (two.body, one.body) == (from, to) => Some((*two, *one)),
+            _ => None,
+        })
     }
 
     /// Angle of the second triad against the first at the declared start; `None` if it is zero.
@@ -78,12 +105,7 @@ impl Forest<'_> {
         if self.has_orientation(body) || !declared.iter().any(|one| one.start.is_some()) {
             return None;
         }
-        let shared = self.model.space.relations.iter().find_map(|(_, _, relation)| match relation {
-            Relationship::Coincident(one, two) if (one.body, two.body) == (inner.body, outer.body) => Some((*one, *two)),
-            Relationship::Coincident(one, two) if (two.body, one.body) == (inner.body, outer.body) => Some((*two, *one)),
-            _ => None,
-        });
-        let (at, own) = shared?;
+        let (at, own) = self.shared_point(inner.body, outer.body)?;
         let to_place = self.hinged_at_start(at);
         let (foot, origin) = (at.body.map(|from| self.origin_at_start(from)), self.origin_at_start(body));
         let u = [0, 1, 2].map(|k| {
