@@ -1,6 +1,7 @@
 //! Mechanisms in space.
 
 mod arms;
+mod couplings;
 mod declaration;
 mod limits;
 mod links;

@@ -18,7 +18,7 @@ pub enum Home {
 }
 
 /// Words with their equivalents in the plane and in space.
-const HOMES: [(&[&str], Home, Home); 14] = [
+const HOMES: [(&[&str], Home, Home); 15] = [
     (
         &["hinge", "pin", "pivot", "rotary", "rotational", "bearing"],
         Home::Joint(&["revolute(P, Q)"]),
@@ -41,6 +41,11 @@ const HOMES: [(&[&str], Home, Home); 14] = [
     (&["pulley", "belt", "chain", "sprocket"], Home::Joint(&["belt(i, j, a, b)"]), Home::Joint(&["gear_pair(one, two, a, b)"])),
     (&["ball", "ball_joint", "socket", "spherical", "globe"], Home::Joint(&["revolute(P, Q)"]), Home::Joint(&["spherical(P, Q)"])),
     (&["universal", "cardan", "hooke", "u_joint"], Home::Joint(&["revolute(P, Q)"]), Home::Joint(&["universal(P, a, Q, b)"])),
+    (
+        &["constant_velocity", "homokinetic", "rzeppa", "cv_joint", "cv", "convel"],
+        Home::Joint(&["revolute(P, Q)"]),
+        Home::Joint(&["constant_velocity(P, a, Q, b)"]),
+    ),
     (&["motor", "servo"], Home::Drive("drive_angle(b, C)"), Home::Drive("drive_rotation(angle, C)")),
     (&["spring"], Home::Force("spring(P, Q, stiffness)"), Home::Force("spring(P, Q, stiffness)")),
     (&["damper", "dashpot"], Home::Force("damper(P, Q, damping)"), Home::Force("damper(P, Q, damping)")),

@@ -6,7 +6,7 @@ use crate::quantity::{unit, units};
 const LONGEST: usize = 60;
 
 /// Words of the language with their synonyms elsewhere.
-const SYNONYMS: [(&str, &[&str]); 47] = [
+const SYNONYMS: [(&str, &[&str]); 48] = [
     ("body", &["link", "bar", "rigid", "member"]),
     ("ground", &["frame", "base", "world", "fixed"]),
     ("param", &["parameter", "var", "variable"]),
@@ -31,6 +31,7 @@ const SYNONYMS: [(&str, &[&str]); 47] = [
     ("axis", &["direction", "vector"]),
     ("spherical", &["ball", "ball_joint", "globe"]),
     ("universal", &["hooke", "cardan", "u_joint"]),
+    ("constant_velocity", &["homokinetic", "rzeppa", "cv_joint", "convel"]),
     ("cylindrical", &["cylinder"]),
     ("drive_rotation", &["rotation_driver", "drive_rotate"]),
     ("revolute", &["pin", "hinge", "pivot", "rotary", "rotational"]),

@@ -58,6 +58,7 @@ const SPATIAL: &[(&str, &str)] = spatial_pages![
     "cylindrical",
     "translational",
     "universal",
+    "constant_velocity",
     "screw",
     "planar",
     "weld",

@@ -111,7 +111,7 @@ impl Drawing<'_> {
             ("point_on_plane", Some((p, q, a)), ..) => self.on_plane(number, p.body, q, a.at),
             ("point_on_line", Some((p, q, a)), ..) => self.on_line(number, p, q, a.at),
             ("weld", Some((p, ..)), ..) => self.weld(number, p),
-            ("spherical", _, Some(p), Some(q)) => self.spherical(number, p, q),
+            ("spherical" | "constant_velocity", _, Some(p), Some(q)) => self.spherical(number, p, q),
             ("distance", _, Some(p), Some(q)) => self.rod(number, p, q),
             (kind, _, Some(p), Some(q)) if KINDS.contains(&kind) => self.force(number, p, q),
             ("drive_distance", _, Some(p), Some(q)) => self.actuator(number, p, q),

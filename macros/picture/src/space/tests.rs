@@ -161,6 +161,10 @@ fn slides_screws_and_universal_joints_have_their_symbols() {
         let svg = with(kind, 0.2);
         assert!(svg.len() > plain.len() && svg.contains(&format!("<title>more: {kind} of ground and rod</title>")), "{svg}");
     }
+    // The balls of a constant-velocity joint run in a cup.
+    let rzeppa = with("constant_velocity", 0.2);
+    let line = rzeppa.lines().find(|line| line.contains("<title>more: constant_velocity of ground and rod</title>")).expect("a joint");
+    assert!(line.contains("<circle class=\"k c1\"") && line.contains("class=\"f "), "{line}");
     // A condition on directions alone becomes a caption.
     let mut scene = crank(0.7);
     scene.joint("level", "parallel_axes").axis("a", GROUND, [0.0, 0.0, 1.0]).axis("b", "rod", [0.0, 0.0, 1.0]);
@@ -205,12 +209,13 @@ fn what_cannot_be_drawn_says_why() {
     assert_eq!(frames(&[crank(1.0), crank(f64::INFINITY)]), Err(Undrawable::Nowhere));
 }
 
-const KINDS: [&str; 24] = [
+const KINDS: [&str; 25] = [
     "revolute",
     "cylindrical",
     "translational",
     "screw",
     "universal",
+    "constant_velocity",
     "spherical",
     "planar",
     "weld",

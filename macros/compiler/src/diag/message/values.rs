@@ -72,7 +72,7 @@ impl Display for ValueFact {
             ValueFact::OnlyInSpace { word } => {
                 write!(f, "`{word}` is for mechanisms in space: write `mechanism Name in space {{ … }}`, or ")?;
                 match word.as_str() {
-                    "spherical" | "universal" => write!(f, "in the plane `revolute(P, Q)`"),
+                    "spherical" | "universal" | "constant_velocity" => write!(f, "in the plane `revolute(P, Q)`"),
                     "cylindrical" | "screw" => write!(f, "in the plane `translational(u, P, Q)`"),
                     "drive_rotation" => write!(f, "in the plane `drive_angle(body, law)`"),
                     "drive_translation" => write!(f, "in the plane `drive_along(guide, law)`"),
