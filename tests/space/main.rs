@@ -10,6 +10,7 @@ mod mechanisms;
 mod objective;
 mod opposed;
 mod redundant;
+mod relations;
 mod starts;
 mod states;
 mod units;

@@ -1,7 +1,7 @@
-/// The angles of two joints turn in a fixed ratio: spur, bevel and worm gears, belts and chains.
+/// The angles of two joints turn in a fixed ratio: spur, bevel and worm gears.
 ///
 /// ```text
-///   a θ_1 + b θ_2 − c = 0                      1 row, rad
+///   a θ_1 + b θ_2 − c = 0                      1 row; rad, or m with radii
 /// ```
 ///
 /// `one` and `two` are the angles of the joints that carry the wheels, `a` and `b` radii or numbers of teeth: both positive for wheels
@@ -9,7 +9,7 @@
 /// move. Removes one freedom; exact over any number of turns. Degenerate case: a factor of zero, which is refused.
 ///
 /// Reference: Nikravesh, section 7.4.
-constraint gear_pair(one: Angle, two: Angle, a: Number, b: Number, c: Angle = 0rad) in space {
+constraint gear_pair(one: Angle, two: Angle, a: Quantity, b: Quantity, c: Quantity = 0) in space {
     require a != 0: "a wheel of size zero transmits nothing";
     require b != 0: "a wheel of size zero transmits nothing";
     a * one + b * two == c;

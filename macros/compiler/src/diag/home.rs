@@ -38,7 +38,7 @@ const HOMES: [(&[&str], Home, Home); 15] = [
         Home::Joint(&["rack_pinion(angle, P, a, Q, radius)"]),
     ),
     (&["cam", "follower"], Home::Joint(&["cam_knife(O, F, R)", "cam_roller(O, C, roller, R)", "cam_flat(O, F, n, h)"]), Home::Equation),
-    (&["pulley", "belt", "chain", "sprocket"], Home::Joint(&["belt(i, j, a, b)"]), Home::Joint(&["gear_pair(one, two, a, b)"])),
+    (&["pulley", "belt", "chain", "sprocket"], Home::Joint(&["belt(i, j, a, b)"]), Home::Joint(&["belt(one, two, a, b)"])),
     (&["ball", "ball_joint", "socket", "spherical", "globe"], Home::Joint(&["revolute(P, Q)"]), Home::Joint(&["spherical(P, Q)"])),
     (&["universal", "cardan", "hooke", "u_joint"], Home::Joint(&["revolute(P, Q)"]), Home::Joint(&["universal(P, a, Q, b)"])),
     (

@@ -90,7 +90,6 @@ impl Display for ValueFact {
                     "drive_angle" | "drive_relative_angle" => "`drive_rotation(joint, law)`",
                     "drive_along" => "`drive_translation(joint, law)`",
                     "absolute_angle" | "relative_angle" | "parallel" => "an equation of `joint.angle`, or `absolute_orientation(a, b)`",
-                    "belt" | "differential" | "planetary" => "`gear_pair` with the angles of joints, or an equation of them",
                     "revolute_translational" => "`point_on_plane(P, a, Q, offset)`",
                     "absolute_distance" => "`distance(P, Q, c)`",
                     _ => "an equation of your own",
