@@ -159,3 +159,85 @@ fn loads_in_space_are_computed_alone() {
         assert!((windy.energy(&state).power - wind.power - loads.rope().power).abs() < 1e-12);
     }
 }
+
+mechanism! {
+    /// A block on a rail, between a gas spring and a spring of constant force.
+    pub(crate) mechanism Gas {
+        param pushed_in: Length = 60mm;
+        param exponent: Number = 1;
+        param pull: Force = 30N;
+        param start: Velocity = 0m_s;
+        body block { mass = 2kg; }
+        joint rail = translational((1, 0), (0m, 0m), block.position);
+        slice force gas = gas_spring((0m, 0m), block.position, force: 200N, length: 300mm, column: 120mm, exponent: exponent);
+        slice force tape = constant_force(block.position, (0m, 0m), pull);
+        freedom slide = block.x from 300mm - pushed_in at start;
+    }
+}
+
+mechanism! {
+    /// The same force between two balls in space, led by a drive.
+    pub(crate) mechanism Strut in space {
+        ground { point foot = (0.1m, -0.2m, 0.05m);  axis z = (0, 0, 1); }
+        body hatch { axis z = (0, 0, 1); }
+        joint upright = absolute_orientation(ground.z, hatch.z);
+        joint x = absolute_x(hatch.position, 0.3m);
+        joint z = absolute_z(hatch.position, 0.1m);
+        drive lift = drive_y(hatch.position, 10mm + 20mm_s * t);
+        slice force strut = gas_spring(ground.foot, hatch.position, 350N, 400mm, 210mm, exponent: 1.25);
+    }
+}
+
+/// The work that it takes to push a gas spring of 200 N and a column of 120 mm in, from its extended length.
+fn work_of_gas(pushed_in: f64, exponent: f64) -> f64 {
+    let ratio = 0.12 / (0.12 - pushed_in);
+    if exponent == 1.0 { 200.0 * 0.12 * ratio.ln() } else { 200.0 * 0.12 * (ratio.powf(exponent - 1.0) - 1.0) / (exponent - 1.0) }
+}
+
+/// What a gas spring gives back as speed is the closed form of its work, less what the spring of constant force takes.
+#[test]
+fn a_gas_spring_gives_back_its_work() {
+    for (pushed_in, exponent, pull) in [(0.06, 1.0_f64, 30.0_f64), (0.09, 1.3, 0.0), (0.03, 1.4, -20.0), (0.1, 2.0, 55.0)] {
+        let gas = Gas { pushed_in, exponent, pull, start: 0.0 };
+        let mut state = gas.initial_state().expect("a state");
+        let push: f64 = 200.0 * f64::powf(0.12 / (0.12 - pushed_in), exponent) - pull;
+        assert!((state.block().acceleration.x - push / 2.0).abs() < 1e-12 * push.abs());
+        let mut integrator = Integrator::new(1e-11);
+        for frame in 1..=20 {
+            gas.advance(&mut state, 2e-3 * f64::from(frame), &mut integrator).expect("it moves");
+            let (x, speed) = (state.block().position.x, state.block().velocity.x);
+            let work = work_of_gas(pushed_in, exponent) - work_of_gas(0.3 - x, exponent) - pull * (x - 0.3 + pushed_in);
+            assert!((speed.powi(2) - work).abs() < 1e-9 * work.abs().max(1.0), "{speed} m/s and {work} J at {x} m");
+        }
+    }
+}
+
+/// Its force is the same at every length, and its power is that force times the speed.
+#[test]
+fn a_spring_of_constant_force_pulls_with_one_force() {
+    let gas = Gas { pushed_in: 0.0, exponent: 1.0, pull: 30.0, start: 0.0 };
+    let state = gas.initial_state().expect("a state");
+    let tape = gas.load_of_tape(&state);
+    assert_eq!(tape.forces, [Vector2::new(-30.0, 0.0), Vector2::new(30.0, 0.0)]);
+    for (pushed_in, start) in [(0.1, 0.7_f64), (-0.2, -1.5)] {
+        let gas = Gas { pushed_in, start, ..gas };
+        let tape = gas.load_of_tape(&gas.initial_state().expect("a state"));
+        assert!((tape.power + 30.0 * start).abs() < 1e-13, "{tape:?}");
+    }
+}
+
+/// The force is along the line of the points, on both ends, and takes the power that its work has as a rate.
+#[test]
+fn a_gas_spring_pushes_two_points_of_space_apart() {
+    let strut = Strut::default();
+    for t in [0.0, 2.5, 9.0] {
+        let state = strut.solve(t).expect("a state");
+        let load = strut.load_of_strut(&state);
+        let line = Vector3::new(0.2, 0.21 + 0.02 * t, 0.05);
+        let push = 350.0 * (0.21 / (0.21 - (0.4 - line.norm()))).powf(1.25) * line.normalize();
+        let [on_foot, on_hatch] = load.forces;
+        assert!((on_hatch - push).norm() < 1e-12 * push.norm() && on_foot == -on_hatch, "{load:?}, not {push}");
+        assert!((load.power - 0.02 * push.y).abs() < 1e-12 * push.norm());
+        assert!((strut.loads(&state).lift().effort + push.y).abs() < 1e-12 * push.norm());
+    }
+}

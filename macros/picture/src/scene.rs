@@ -103,7 +103,8 @@ pub(crate) struct Fixed {
 /// Kinds and arguments have the names of the constraints in `reuleaux::library`: a `revolute` joint has points `P` and `Q`. A kind
 /// without a symbol is drawn as a dashed line between its points.
 ///
-/// Springs and dampers between points `P` and `Q` are added in the same way, by the kinds `spring`, `damper` and `spring_damper`.
+/// Springs and dampers between points `P` and `Q` are added in the same way, by the kinds `spring`, `damper`, `spring_damper`,
+/// `constant_force` and `gas_spring`.
 ///
 /// Gears and drives in space take as an argument a joint of kind `angle` (axes `a` and `b`) or `displacement` (points `P` and `Q`, axis
 /// `a`).

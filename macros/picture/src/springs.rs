@@ -1,7 +1,7 @@
 //! Symbols of springs and dampers between two points, in the plane and in space.
 
 /// Kinds of forces with a symbol.
-pub(crate) const KINDS: [&str; 3] = ["spring", "damper", "spring_damper"];
+pub(crate) const KINDS: [&str; 5] = ["spring", "damper", "spring_damper", "constant_force", "gas_spring"];
 
 /// Distance from the line between the points to each of a spring and a damper side by side.
 const BESIDE: f64 = 9.5;
@@ -14,10 +14,19 @@ pub(crate) fn drawn<'a, E: Copy>(own: usize, joints: &[(&'a str, Option<[E; 2]>)
     let is_here = |[one, two]: [E; 2]| are_same(p, one) && are_same(q, two) || are_same(p, two) && are_same(q, one);
     let is_force = |(kind, ends): &(&str, Option<[E; 2]>)| KINDS.contains(kind) && ends.is_some_and(is_here);
     let here: Vec<usize> = (0..joints.len()).filter(|number| is_force(&joints[*number])).collect();
-    if here.iter().all(|number| joints[*number].0 == kind) {
-        return Some(kind);
+    if here.iter().all(|number| look(joints[*number].0) == look(kind)) {
+        return Some(look(kind));
     }
     (here.first() == Some(&own)).then_some(KINDS[2])
+}
+
+/// The kind whose symbol a kind has: a gas spring is a cylinder with a piston.
+fn look(kind: &str) -> &str {
+    match kind {
+        "constant_force" => "spring",
+        "gas_spring" => "damper",
+        kind => kind,
+    }
 }
 
 /// The lines of a symbol. `at(part, beside)` is the place after a part of the way between the points, and `beside` units of the picture beside it.

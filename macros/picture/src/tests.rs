@@ -118,7 +118,7 @@ fn shapes_of_bodies_are_in_the_picture_and_turn_with_them() {
 fn springs_and_dampers_are_forces() {
     let mut scene = engine(0.5);
     let before = scene.draw().expect("it is drawn").svg().lines().nth(2).map(str::to_owned);
-    for (kind, height) in [("spring", 0.0), ("damper", 0.1), ("spring_damper", 0.2)] {
+    for (kind, height) in [("spring", 0.0), ("damper", 0.1), ("spring_damper", 0.2), ("constant_force", 0.3), ("gas_spring", 0.5)] {
         scene.joint(kind, kind).of(&["piston"]).point("P", GROUND, [0.4, height]).point("Q", "piston", [0.0, 0.0]);
     }
     let svg = scene.svg();
@@ -129,6 +129,7 @@ fn springs_and_dampers_are_forces() {
         before.map(|before| before.rsplit("d=\"").next().unwrap_or("").matches('M').count())
     };
     assert_eq!(["spring", "damper", "spring_damper"].map(|kind| lines(&svg, kind)), [Some(1), Some(4), Some(9)], "{svg}");
+    assert_eq!(["constant_force", "gas_spring"].map(|kind| lines(&svg, kind)), [Some(1), Some(4)], "{svg}");
     // Between the same points they are side by side.
     scene.joint("strut", "damper").point("Q", GROUND, [0.4, 0.0]).point("P", "piston", [0.0, 0.0]);
     let svg = scene.svg();

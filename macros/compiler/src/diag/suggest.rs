@@ -6,7 +6,7 @@ use crate::quantity::{unit, units};
 const LONGEST: usize = 60;
 
 /// Words of the language with their synonyms elsewhere.
-const SYNONYMS: [(&str, &[&str]); 48] = [
+const SYNONYMS: [(&str, &[&str]); 50] = [
     ("body", &["link", "bar", "rigid", "member"]),
     ("ground", &["frame", "base", "world", "fixed"]),
     ("param", &["parameter", "var", "variable"]),
@@ -54,6 +54,8 @@ const SYNONYMS: [(&str, &[&str]); 48] = [
     ("h", &["hour", "hours", "hr"]),
     ("t", &["time"]),
     ("spring", &["compression_spring", "tension_spring", "extension_spring", "coil_spring"]),
+    ("gas_spring", &["gas_strut", "gas_shock", "gas_piston", "strut"]),
+    ("constant_force", &["constant_force_spring", "force_spring"]),
     ("drive_angle", &["drive_velocity", "drive_angular_velocity", "drive_speed", "rotate"]),
 ];
 

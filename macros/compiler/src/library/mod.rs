@@ -97,7 +97,7 @@ macro_rules! force_pages_of {
 }
 
 /// Forces, in the plane and in space: name and text of the file.
-const FORCES: &[(&str, &str)] = force_pages!["spring", "damper", "spring_damper", "actuator", "drag"];
+const FORCES: &[(&str, &str)] = force_pages!["spring", "damper", "spring_damper", "actuator", "constant_force", "gas_spring", "drag"];
 
 /// Forces in the plane.
 const PLANAR_FORCES: &[(&str, &str)] = force_pages_of!["plane": "motor", "torsion_spring", "torsion_spring_damper"];
