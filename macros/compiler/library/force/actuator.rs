@@ -8,6 +8,7 @@
 ///
 /// Reference: Haug, section 6.2.
 force actuator(P: Point, Q: Point, F: Force) {
+    require P.body != Q.body: "the two ends of an actuator lie on the same body";
     let line = unit(Q - P);
     at P: -F * line;
     at Q: F * line;

@@ -8,6 +8,7 @@
 ///
 /// Reference: Nikravesh, section 9.4; Haug, section 6.2.
 force damper(P: Point, Q: Point, damping: Mass / Time) {
+    require P.body != Q.body: "the two ends of a damper lie on the same body";
     let line = Q - P;
     let force = damping * rate(norm(line));
     at P: force * unit(line);

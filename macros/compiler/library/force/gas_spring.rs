@@ -13,6 +13,7 @@
 ///
 /// Reference: Dubbel, Taschenbuch für den Maschinenbau, on gas springs.
 force gas_spring(P: Point, Q: Point, force: Force, length: Length, column: Length, exponent: Number = 1) {
+    require P.body != Q.body: "the two ends of a gas spring lie on the same body";
     require column > 0: "a gas spring without a column of gas has no force";
     let line = Q - P;
     let room = (column - length + norm(line)) / column;

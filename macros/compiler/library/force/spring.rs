@@ -9,6 +9,7 @@
 ///
 /// Reference: Nikravesh, section 9.4; Haug, section 6.2.
 force spring(P: Point, Q: Point, stiffness: Stiffness, rest: Length = 0mm) {
+    require P.body != Q.body: "the two ends of a spring lie on the same body";
     let line = Q - P;
     let force = stiffness * (norm(line) - rest);
     at P: force * unit(line);

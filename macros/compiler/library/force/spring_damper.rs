@@ -8,6 +8,7 @@
 ///
 /// Reference: Nikravesh, section 9.4; Haug, section 6.2.
 force spring_damper(P: Point, Q: Point, stiffness: Stiffness, rest: Length, damping: Mass / Time) {
+    require P.body != Q.body: "the two ends of a spring lie on the same body";
     let line = Q - P;
     let force = stiffness * (norm(line) - rest) + damping * rate(norm(line));
     at P: force * unit(line);

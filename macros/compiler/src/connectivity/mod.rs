@@ -1,23 +1,35 @@
-//! Connectivity: every body must be connected to ground, directly or through other bodies.
+//! Connectivity: every body must be connected to ground, directly or through other bodies, and every force must act on one.
 //!
 //! A body whose coordinates occur in no equation is not connected. A group of connected bodies floats if it can be translated as a whole:
 //! no equation of the group changes when the same value is added to x, or to y, of all its bodies. An equation on a single body prevents
 //! this unless it contains only its angle. For a group of one body, `mobility` reports undetermined coordinates.
 
-use crate::diag::{Diag, SystemFact};
+use crate::diag::{Diag, EquationFact, SystemFact};
 use crate::expr::{Arena, Expr, Leaf, Values, evaluate};
-use crate::model::{Model, Said, example};
+use crate::model::{DeclaredForce, Model, Said, example};
 use crate::quantity::{Axis, Role, SpeedRole};
 use crate::system::{Equation, System};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Refuses bodies and groups of bodies that are not connected to ground.
+/// Refuses bodies and groups of bodies that are not connected to ground, and forces on ground alone.
 pub(crate) fn check(model: &Model, system: &System, diag: &mut Diag) -> Option<()> {
+    every_force_acts_on_a_body(model, diag);
     if model.task.is_determined() {
         every_body_is_held(model, system, diag);
         every_group_is_on_ground(model, system, diag);
     }
     diag.is_clean().then_some(())
+}
+
+/// Refuses forces none of whose vectors acts on a body.
+fn every_force_acts_on_a_body(model: &Model, diag: &mut Diag) {
+    let mut said = Said::default();
+    for (number, DeclaredForce { name, .. }) in model.declared_forces.iter().enumerate() {
+        let mut own = model.forces.iter().filter(|force| force.of == number).peekable();
+        if own.peek().is_some() && own.all(|force| force.body.is_none()) && said.is_new(name) {
+            diag.refuse::<()>(name, EquationFact::ForceOnGround { force: name.to_string(), ambient: model.ambient });
+        }
+    }
 }
 
 /// Refuses bodies whose coordinates occur in no equation.

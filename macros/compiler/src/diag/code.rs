@@ -128,7 +128,7 @@ codes! {
     E0510: Array::UnlikeParts Array::UnlikeOutputs;
     // Equations.
     E0601: Equation::TimeInJoint Equation::TimeIn Equation::TimeInDefinition Equation::InputIn Equation::InputInJoint;
-    E0602: Equation::RowOfNothing Equation::OnGround Equation::CrossProduct;
+    E0602: Equation::RowOfNothing Equation::OnGround Equation::ForceOnGround Equation::EnergyOfNothing Equation::CrossProduct;
     E0603: Equation::NoEquations Equation::NoForces Equation::EmptyBundle;
     E0604: Equation::GroundStart;
     E0605: Equation::NotAffine Equation::RateOfSpeed Value::RateOfVelocity System::Nonholonomic;

@@ -247,6 +247,8 @@ pub enum EquationFact {
     NotAffine { joint: String, row: usize, of: usize },
     CrossProduct { rows: Option<String>, parallel: Option<String> },
     OnGround { joint: String, kind: String },
+    ForceOnGround { force: String, ambient: Ambient },
+    EnergyOfNothing,
     NoEquations { name: String },
     NoForces { name: String, body: Option<String>, ambient: Ambient },
     EmptyBundle { name: String },

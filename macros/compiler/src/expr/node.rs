@@ -66,6 +66,12 @@ impl Leaf {
         [0, 1, 2].map(|axis| Leaf::Turn((AXES * body + axis) as u32))
     }
 
+    /// True for coordinates and speeds.
+    #[must_use]
+    pub const fn moves(self) -> bool {
+        matches!(self, Leaf::Coordinate(_) | Leaf::Speed(_))
+    }
+
     /// True for the time and for inputs, which change with it.
     #[must_use]
     pub const fn is_of_time(self) -> bool {

@@ -9,7 +9,7 @@ use super::elaborate::Elaborator;
 use super::register::Register;
 use super::{DeclaredForce, Force};
 use crate::diag::{EquationFact, MotionFact, Range, ValueFact};
-use crate::expr::Expr;
+use crate::expr::{Expr, Leaf};
 use crate::names::{FrameId, Scope, Value};
 use crate::quantity::{Ambient, Dim};
 use crate::syntax::ast;
@@ -51,12 +51,13 @@ impl Elaborator<'_> {
 
     /// A potential energy: a function of positions, whose force is its derivative.
     pub(super) fn energy(&mut self, value: &ast::Expression, scope: &Scope) -> Option<()> {
-        let energy = self.scalar_of(value, Dim::TORQUE, scope)?;
-        if self.has_speeds(energy.expr) {
+        let energy = self.scalar_of(value, Dim::TORQUE, scope)?.expr;
+        self.energies.push(energy);
+        if self.has_speeds(energy) {
             return self.refuse(value.range, ValueFact::EnergyOfVelocities);
         }
-        self.energies.push(energy.expr);
-        Some(())
+        let moves = self.arena.leaves(energy).into_iter().any(Leaf::moves);
+        if moves { Some(()) } else { self.refuse(value.range, EquationFact::EnergyOfNothing) }
     }
 
     /// `at point: force;` or `on body: torque;`

@@ -105,8 +105,7 @@ impl Elaborator<'_> {
         let (name, of) = (joint.name.to_string(), rows.len());
         let leaves = |row: &ScalarEquation| self.arena.leaves(row.residual.expr);
         // An argument of an unused component may move.
-        let may_move =
-            |leaf: &Leaf| matches!(leaf, Leaf::Coordinate(_) | Leaf::Speed(_)) || self.is_unused && matches!(leaf, Leaf::Parameter(_));
+        let may_move = |leaf: &Leaf| leaf.moves() || self.is_unused && matches!(leaf, Leaf::Parameter(_));
         let is_of_nothing = |row: &ScalarEquation| !leaves(row).iter().any(may_move);
         if let Some(row) = rows.iter().position(is_of_nothing) {
             self.say::<()>(rows[row].range, EquationFact::RowOfNothing { joint: name, row: row + 1, of, at_defaults: false });

@@ -8,6 +8,7 @@
 ///
 /// Reference: Haug, section 6.2.
 force motor(one: Body, two: Body, torque: Torque) in plane {
+    require one != two: "a motor turns one body against another one";
     on two: torque;
     on one: -torque;
 }

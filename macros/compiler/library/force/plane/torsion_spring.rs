@@ -8,6 +8,7 @@
 ///
 /// Reference: Nikravesh, section 9.4; Haug, section 6.2.
 force torsion_spring(one: Body, two: Body, stiffness: Torque / Angle, rest: Angle) in plane {
+    require one != two: "a torsion spring acts between two bodies";
     let torque = stiffness * (two.angle - one.angle - rest);
     on two: -torque;
     on one: torque;

@@ -14,6 +14,7 @@ force torsion_spring_damper(
     rest: Angle,
     damping: Torque / AngularVelocity,
 ) in plane {
+    require one != two: "a torsion spring acts between two bodies";
     let turning = two.angular_velocity - one.angular_velocity;
     let torque = stiffness * (two.angle - one.angle - rest) + damping * turning;
     on two: -torque;

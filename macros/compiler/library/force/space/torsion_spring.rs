@@ -8,6 +8,7 @@
 ///
 /// Reference: Haug, section 9.5.
 force torsion_spring(a: Axis, b: Axis, stiffness: Torque / Angle, rest: Angle) in space {
+    require a.body != b.body: "a torsion spring acts between two bodies";
     let line = stiffness * (joint_angle(a, b) - rest) * z_axis(a);
     on b.body: -line;
     on a.body: line;

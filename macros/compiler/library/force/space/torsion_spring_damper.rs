@@ -15,6 +15,7 @@ force torsion_spring_damper(
     rest: Angle,
     damping: Torque / AngularVelocity,
 ) in space {
+    require a.body != b.body: "a torsion spring acts between two bodies";
     let turning = dot(b.body.angular_velocity - a.body.angular_velocity, z_axis(a));
     let line = (stiffness * (joint_angle(a, b) - rest) + damping * turning) * z_axis(a);
     on b.body: -line;

@@ -65,6 +65,15 @@ impl Display for EquationFact {
                 write!(f, "`{joint}` joins ground to ground, and ground does not move")?;
                 write!(f, "\nhelp: give `{kind}` at least one body, or a point or an axis of one")
             }
+            EquationFact::ForceOnGround { force, ambient } => {
+                let push = if *ambient == Ambient::Space { "(0N, 0N, -5N)" } else { "(0N, -5N)" };
+                write!(f, "`{force}` acts on ground alone, and ground does not move")?;
+                write!(f, "\nhelp: let it act on a body, such as `at body.P: {push};`")
+            }
+            EquationFact::EnergyOfNothing => {
+                write!(f, "this energy does not depend on the position of any body: no force follows from it")?;
+                write!(f, "\nhelp: write it with points or angles of bodies, such as `0.5 * k * norm(body.P - ground.Q)^2`")
+            }
             EquationFact::NoEquations { name } => write!(f, "`{name}` has no equations\nhelp: write `lhs == rhs;`"),
             EquationFact::NoForces { name, body, ambient } => {
                 let (force, torque) = match ambient {
