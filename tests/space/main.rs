@@ -9,6 +9,7 @@ mod loads;
 mod mechanisms;
 mod objective;
 mod opposed;
+mod orientation;
 mod redundant;
 mod relations;
 mod starts;

@@ -76,6 +76,7 @@ const SPATIAL: &[(&str, &str)] = spatial_pages![
     "drive_rotation",
     "drive_translation",
     "drive_z",
+    "drive_orientation",
     "gear_joint",
     "rack_and_pinion_joint",
     "guided_rack_and_pinion_joint",

@@ -107,7 +107,15 @@ impl Numeric<'_> {
 
     /// Unknowns in which two assemblies differ.
     pub(crate) fn differing(&self, one: &[f64], other: &[f64]) -> Vec<usize> {
-        (0..one.len()).filter(|unknown| !self.is_one_place(*unknown, one[*unknown], other[*unknown])).collect()
+        let differs = |unknown: &usize| !self.is_one_place(*unknown, one[*unknown], other[*unknown]);
+        (0..one.len()).filter(|unknown| differs(unknown) && !self.is_opposite(*unknown, one, other)).collect()
+    }
+
+    /// True for a component of a quaternion whose opposite describes the same orientation in the other assembly.
+    fn is_opposite(&self, unknown: usize, one: &[f64], other: &[f64]) -> bool {
+        let Role::Quaternion(component) = self.system.coordinates[unknown].role else { return false };
+        let first = unknown - usize::from(component);
+        (first..first + 4).all(|component| (one[component] + other[component]).abs() < ONE_PLACE)
     }
 
     pub(crate) fn is_one_place(&self, unknown: usize, one: f64, other: f64) -> bool {

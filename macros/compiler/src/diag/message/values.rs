@@ -74,7 +74,7 @@ impl Display for ValueFact {
                 match word.as_str() {
                     "spherical" | "universal" | "constant_velocity" => write!(f, "in the plane `revolute(P, Q)`"),
                     "cylindrical" | "screw" => write!(f, "in the plane `translational(u, P, Q)`"),
-                    "drive_rotation" => write!(f, "in the plane `drive_angle(body, law)`"),
+                    "drive_rotation" | "drive_orientation" => write!(f, "in the plane `drive_angle(body, law)`"),
                     "drive_translation" => write!(f, "in the plane `drive_along(guide, law)`"),
                     "point_on_plane" => write!(f, "in the plane `point_on_line(P, u, Q)`"),
                     "parallel_axes" => write!(f, "in the plane `parallel(i, j)`"),

@@ -1,0 +1,136 @@
+//! A body whose whole orientation follows a law.
+
+use reuleaux::mechanism;
+use reuleaux::nalgebra::{UnitQuaternion, Vector3};
+
+mechanism! {
+    /// A platform on a ball joint that turns over, and a camera that is aimed from it.
+    pub mechanism Aimed in space {
+        ground { axis z = (0, 0, 1); }
+        body platform { axis z = (0, 0, 1);  point mast = (1m, 0.5m, 0.2m); }
+        body camera { axis z = (0, 0, 1); }
+        joint ball = spherical(ground.position, platform.position);
+        joint mast = spherical(platform.mast, camera.position);
+        drive rolling = drive_orientation(ground.z, platform.z, 20deg * sin(3rad_s * t), 1rad_s * t, 170deg - 2rad_s * t);
+        drive aim = drive_orientation(platform.z, camera.z, 0deg, 30deg * sin(2rad_s * t), 60deg + 0.5rad_s * t);
+    }
+}
+
+mechanism! {
+    /// A body whose principal axes are those of its frame, turned about one of them after the other.
+    pub mechanism Turned in space {
+        param roll: Angle = 0deg;
+        param pitch: Angle = 0deg;
+        param yaw: Angle = 0deg;
+        let law = sin(2rad_s * t);
+        ground { axis z = (0, 0, 1); }
+        body b { axis z = (0, 0, 1);  mass = 3kg;  inertia = (0.02kgm2, 0.05kgm2, 0.06kgm2); }
+        joint ball = spherical(ground.position, b.position);
+        drive turn = drive_orientation(ground.z, b.z, roll * law, pitch * law, yaw * law);
+    }
+}
+
+mechanism! {
+    /// A turn about a skew axis, half a turn away from the frames at the start.
+    pub mechanism Skew in space {
+        ground { axis a = (1, 2, -2); }
+        body b { axis a = (1, 2, -2);  start orientation = turn((1, 2, -2), 160deg); }
+        joint ball = spherical(ground.position, b.position);
+        drive turn = drive_orientation(ground.a, b.a, roll: 0deg, pitch: 0deg, yaw: 180deg + 3rad_s * t);
+    }
+}
+
+mechanism! {
+    /// Half a turn away from the frames at the start, where no orientation is declared.
+    pub mechanism Opposite in space {
+        ground { axis z = (0, 0, 1); }
+        body b { axis z = (0, 0, 1); }
+        joint ball = spherical(ground.position, b.position);
+        drive turn = drive_orientation(ground.z, b.z, roll: 0deg, pitch: 0deg, yaw: 180deg + 3rad_s * t);
+    }
+}
+
+/// Value, rate and acceleration of an angle.
+type Angle = [f64; 3];
+
+/// Orientation, angular velocity and angular acceleration of roll, pitch and yaw, by the rule of moving frames.
+fn exact([roll, pitch, yaw]: [Angle; 3]) -> (UnitQuaternion<f64>, Vector3<f64>, Vector3<f64>) {
+    let first = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw[0]);
+    let second = first * UnitQuaternion::from_axis_angle(&Vector3::y_axis(), pitch[0]);
+    let (z, y, x) = (Vector3::z(), first * Vector3::y(), second * Vector3::x());
+    let outer = z * yaw[1] + y * pitch[1];
+    let acceleration = z * yaw[2] + y * pitch[2] + x * roll[2] + (z * yaw[1]).cross(&(y * pitch[1])) + outer.cross(&(x * roll[1]));
+    (UnitQuaternion::from_euler_angles(roll[0], pitch[0], yaw[0]), outer + x * roll[1], acceleration)
+}
+
+/// Value, rate and acceleration of `size · sin(ω t)`.
+fn swing(size: f64, omega: f64, t: f64) -> Angle {
+    let (sin, cos) = (omega * t).sin_cos();
+    [size * sin, size * omega * cos, -size * omega * omega * sin]
+}
+
+fn off(found: UnitQuaternion<f64>, wanted: UnitQuaternion<f64>) -> f64 {
+    (found.to_rotation_matrix().matrix() - wanted.to_rotation_matrix().matrix()).amax()
+}
+
+#[test]
+fn a_body_has_the_orientation_that_is_prescribed() {
+    let aimed = Aimed::default();
+    for state in aimed.sweep((0..400).map(|step| f64::from(step) / 50.0)) {
+        let state = state.expect("it moves");
+        let t = state.t;
+        let yaw = [170_f64.to_radians() - 2.0 * t, -2.0, 0.0];
+        let (outer, omega, alpha) = exact([swing(20_f64.to_radians(), 3.0, t), [t, 1.0, 0.0], yaw]);
+        let platform = state.platform();
+        assert!(off(platform.orientation(), outer) < 2e-15, "{:e}", off(platform.orientation(), outer));
+        assert!((platform.angular_velocity - omega).norm() < 2e-14 && (platform.angular_acceleration - alpha).norm() < 1e-13);
+        let (inner, own, own_alpha) = exact([[0.0; 3], swing(30_f64.to_radians(), 2.0, t), [60_f64.to_radians() + 0.5 * t, 0.5, 0.0]]);
+        let (own, own_alpha) = (outer * own, outer * own_alpha);
+        let camera = state.camera();
+        assert!(off(camera.orientation(), outer * inner) < 4e-15, "{:e}", off(camera.orientation(), outer * inner));
+        assert!((camera.angular_velocity - omega - own).norm() < 2e-14);
+        assert!((camera.angular_acceleration - alpha - own_alpha - omega.cross(&own)).norm() < 1e-13);
+    }
+}
+
+/// About a principal axis the torque is that moment times the angular acceleration; of the whole law the power is that of Euler's equations.
+#[test]
+fn what_the_drive_does_is_the_torque_of_eulers_equations() {
+    let moments = Vector3::new(0.02, 0.05, 0.06);
+    for (roll, pitch, yaw) in [(0.8, 0.0, 0.0), (0.0, -1.3, 0.0), (0.0, 0.0, 2.9), (0.7, 0.4, -0.9)] {
+        let turned = Turned { roll, pitch, yaw };
+        for t in [0.0, 0.3, 1.1] {
+            let state = turned.solve(t).expect("it moves");
+            let (orientation, omega, alpha) = exact([roll, pitch, yaw].map(|size| swing(size, 2.0, t)));
+            let own = |vector: Vector3<f64>| orientation.inverse() * vector;
+            let momentum = moments.component_mul(&own(omega));
+            let torque = orientation * (moments.component_mul(&own(alpha)) + own(omega).cross(&momentum));
+            let loads = turned.loads(&state);
+            assert!((loads.turn().effort - torque.x).abs() < 1e-14, "{:?}, not {torque}", loads.turn());
+            assert!((loads.turn().power - torque.dot(&omega)).abs() < 1e-13);
+            let multipliers = Vector3::from_fn(|row, _| loads.multipliers[3 + row]);
+            assert!((multipliers + torque).norm() < 1e-14, "{multipliers}, not {torque}");
+        }
+    }
+}
+
+#[test]
+fn a_turn_about_one_axis_goes_on_over_many_turns() {
+    let skew = Skew::default();
+    let axis = reuleaux::nalgebra::Unit::new_normalize(Vector3::new(1.0, 2.0, -2.0));
+    for t in [0.0, 1.0, 9.7] {
+        let b = skew.solve(t).expect("it turns").b();
+        let wanted = UnitQuaternion::from_axis_angle(&axis, std::f64::consts::PI + 3.0 * t);
+        assert!(off(b.orientation(), wanted) < 1e-14 && (b.angular_velocity - axis.into_inner() * 3.0).norm() < 1e-14);
+    }
+}
+
+/// A quaternion and its opposite are one assembly.
+#[test]
+fn half_a_turn_is_one_assembly() {
+    for t in [0.0, 2.2] {
+        let b = Opposite::default().solve(t).expect("it turns").b();
+        let wanted = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), std::f64::consts::PI + 3.0 * t);
+        assert!(off(b.orientation(), wanted) < 1e-14 && (b.angular_velocity - Vector3::z() * 3.0).norm() < 1e-14);
+    }
+}
