@@ -15,6 +15,7 @@ use crate::plan::{self, Plan};
 use crate::redundancy;
 use crate::resolve;
 use crate::structure::{self, Structure};
+use crate::stub;
 use crate::syntax::{self, ast};
 use crate::system::{self, System};
 use crate::travel::{self, Motion};
@@ -48,7 +49,7 @@ type Known = Vec<(String, ast::Definition)>;
 pub fn mechanism(tokens: TokenStream) -> TokenStream {
     let mut diag = Diag::default();
     let Some(tree) = syntax::parse(tokens.clone(), &mut diag) else { return diag.to_tokens() };
-    let fallback = missing(&tree, &TokenStream::new()).filter(|_| diag.is_clean()).map(|missing| emit::fallback(&tree, missing));
+    let fallback = missing(&tree, &TokenStream::new()).filter(|_| diag.is_clean()).map(|missing| stub::fallback(&tree, missing));
     let rest = continued(&tree, tokens, TokenStream::new(), diag);
     quote!(#fallback #rest)
 }
@@ -100,7 +101,7 @@ pub fn resume(tokens: TokenStream) -> TokenStream {
     let Some(tree) = syntax::parse(mechanism.stream(), &mut diag) else { return diag.to_tokens() };
     if definitions.is_empty() {
         // The definition was rejected where it is written; an error here would only repeat that.
-        return emit::stub(&tree);
+        return stub::stub(&tree);
     }
     continued(&tree, mechanism.stream(), quote!(#known #name { #definitions }), diag)
 }
@@ -133,7 +134,7 @@ fn continued(tree: &ast::Mechanism, tokens: TokenStream, known: TokenStream, mut
             quote!(#tokens #unused #unwritten)
         }
         None => {
-            let (errors, stub) = (diag.to_tokens(), emit::stub(tree));
+            let (errors, stub) = (diag.to_tokens(), stub::stub(tree));
             quote!(#errors #stub)
         }
     }

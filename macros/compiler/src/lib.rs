@@ -35,6 +35,7 @@ pub mod quantity;
 mod redundancy;
 mod resolve;
 pub mod structure;
+mod stub;
 pub mod syntax;
 pub mod system;
 pub mod travel;

@@ -7,7 +7,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 /// `[[element; 3]; 6]` for sizes 6 and 3; the element itself without sizes.
-pub(super) fn array_type(element: TokenStream, sizes: &[usize]) -> TokenStream {
+pub(crate) fn array_type(element: TokenStream, sizes: &[usize]) -> TokenStream {
     sizes.iter().rev().fold(element, |inner, size| {
         let size = Literal::usize_unsuffixed(*size);
         quote!([#inner; #size])

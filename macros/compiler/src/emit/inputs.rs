@@ -8,7 +8,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 /// The name of the generated struct of inputs.
-pub(super) fn type_name(mechanism: &Ident) -> Ident {
+pub(crate) fn type_name(mechanism: &Ident) -> Ident {
     format_ident!("{}Inputs", mechanism, span = Span::call_site())
 }
 

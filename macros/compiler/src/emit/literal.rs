@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 /// A whole number.
-pub(super) fn number(value: usize) -> TokenStream {
+pub(crate) fn number(value: usize) -> TokenStream {
     let literal = Literal::usize_unsuffixed(value);
     quote!(#literal)
 }
@@ -37,13 +37,13 @@ fn size(value: f64) -> Literal {
 }
 
 /// A vector of `n` numbers.
-pub(super) fn vector_type(n: usize) -> TokenStream {
+pub(crate) fn vector_type(n: usize) -> TokenStream {
     let n = number(n);
     quote!(::reuleaux::Vector<T, #n>)
 }
 
 /// A matrix of `m` rows and `n` columns.
-pub(super) fn matrix_type(m: usize, n: usize) -> TokenStream {
+pub(crate) fn matrix_type(m: usize, n: usize) -> TokenStream {
     let (m, n) = (number(m), number(n));
     quote!(::reuleaux::Matrix<T, #m, #n>)
 }

@@ -3,35 +3,31 @@
 //! The type itself comes last: its page has a picture, which would stand in the way of the code. The user's identifiers keep their spans, so that
 //! an editor finds its way back; locals are hygienic, and all else, even `f64`, has its whole path: a user may have a type of that name.
 
-mod arrays;
+pub(crate) mod arrays;
 mod block;
 mod columns;
 mod dynamics;
 mod elimination;
 mod expression;
 mod functions;
-mod inputs;
+pub(crate) mod inputs;
 mod kernels;
 mod listing;
-mod literal;
+pub(crate) mod literal;
 mod loads;
 mod named_loads;
-mod outputs;
-mod parameters;
-mod points;
+pub(crate) mod outputs;
+pub(crate) mod parameters;
+pub(crate) mod points;
 mod prepared;
 mod rolled;
 mod routine;
-mod scene;
-mod serial;
-mod slices;
+pub(crate) mod scene;
+pub(crate) mod serial;
+pub(crate) mod slices;
 mod stages;
-mod state;
-mod stub;
-mod stub_loads;
+pub(crate) mod state;
 mod validate;
-
-pub(crate) use stub::{fallback, stub};
 
 use crate::assembly::Assembly;
 use crate::diag::Warning;
@@ -44,7 +40,7 @@ use crate::system::System;
 use crate::travel::Motion;
 use functions::Emitter;
 use literal::{number, real, signed, vector_type};
-use parameters::Parameters;
+use parameters::{Parameters, over};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 use state::Accessors;
@@ -155,11 +151,12 @@ fn defaults(model: &Model, system: &System) -> (TokenStream, TokenStream, TokenS
         #[must_use]
         pub fn with_defaults() -> Self { Self { #fields #marker } }
     };
+    let over = over(name);
     let family = quote! {
         #unused
         impl<T: ::reuleaux::Real> ::reuleaux::Family<T> for #name<T> {
-            type Over<T2: ::reuleaux::Real> = #name<T2>;
-            fn gather<T2: ::reuleaux::Real, const LANES: ::core::primitive::usize>(each: [&Self; LANES], combine: impl ::core::ops::Fn([T; LANES]) -> T2) -> #name<T2> {
+            type Over<#over: ::reuleaux::Real> = #name<#over>;
+            fn gather<#over: ::reuleaux::Real, const LANES: ::core::primitive::usize>(each: [&Self; LANES], combine: impl ::core::ops::Fn([T; LANES]) -> #over) -> #name<#over> {
                 #name { #gathered #marker }
             }
             #(const HAS_INPUTS: ::core::primitive::bool = true; fn #later(self, h: T) -> Self { ::reuleaux::later(self, h) })*

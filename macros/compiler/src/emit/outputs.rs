@@ -150,7 +150,7 @@ fn vectors() -> TokenStream {
 }
 
 /// The type of a quantity with its derivatives by time.
-pub(super) fn motion_type(value: &TokenStream, derivatives: usize) -> TokenStream {
+pub(crate) fn motion_type(value: &TokenStream, derivatives: usize) -> TokenStream {
     match derivatives {
         1 => quote!(::reuleaux::ValueAndRate<#value>),
         3 => quote!(::reuleaux::MotionWithJerk<#value>),

@@ -4,14 +4,14 @@ use super::arrays::{array_from, array_type};
 use super::expression::local;
 use super::literal::real;
 use super::{allowed, docs, docs_or, serial};
+use crate::hints::is_of_generated_type;
 use crate::model::{Component, Field, Layout, Model, Of, Part};
-use crate::resolve::is_of_generated_type;
 use crate::system::System;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 /// The structs of a mechanism.
-pub(super) struct Parameters<'a> {
+pub(crate) struct Parameters<'a> {
     layout: &'a Layout,
     mechanism: &'a Ident,
     /// Which components have parameters, themselves or in their parts.
@@ -23,8 +23,13 @@ pub(super) fn apart(component: &Ident) -> &'static str {
     if is_of_generated_type(&component.to_string()) { "Refused" } else { "" }
 }
 
+/// The other number type of a function over two: not the mechanism, whatever it is called.
+pub(crate) fn over(mechanism: &Ident) -> Ident {
+    Ident::new(if mechanism == "T2" { "T3" } else { "T2" }, Span::call_site())
+}
+
 impl<'a> Parameters<'a> {
-    pub(super) fn new(layout: &'a Layout, mechanism: &'a Ident) -> Parameters<'a> {
+    pub(crate) fn new(layout: &'a Layout, mechanism: &'a Ident) -> Parameters<'a> {
         Parameters { layout, mechanism, has_any: holders(layout, Of::Parameter) }
     }
 
@@ -47,7 +52,7 @@ impl<'a> Parameters<'a> {
     }
 
     /// Name and type of each field.
-    pub(super) fn types(&self, component: usize) -> Vec<(&'a Ident, TokenStream)> {
+    pub(crate) fn types(&self, component: usize) -> Vec<(&'a Ident, TokenStream)> {
         let of_field = |(_, field): (usize, &'a Field)| {
             let element = match field.of {
                 Of::Part(inner) => {
@@ -63,7 +68,7 @@ impl<'a> Parameters<'a> {
     }
 
     /// The components that have a struct of their own, by number.
-    pub(super) fn structures(&self) -> impl Iterator<Item = (usize, Ident)> {
+    pub(crate) fn structures(&self) -> impl Iterator<Item = (usize, Ident)> {
         (1..self.layout.components.len())
             .filter(|component| self.has_any[*component])
             .map(|component| (component, self.structure(component)))

@@ -11,12 +11,12 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 /// The name of the generated struct.
-pub(super) fn type_name(mechanism: &Ident) -> Ident {
+pub(crate) fn type_name(mechanism: &Ident) -> Ident {
     format_ident!("{}Points", mechanism, span = Span::call_site())
 }
 
 /// The struct, and the function that returns it.
-pub(super) fn structure(name: &Ident, visibility: &TokenStream, state: &TokenStream, methods: &TokenStream) -> TokenStream {
+pub(crate) fn structure(name: &Ident, visibility: &TokenStream, state: &TokenStream, methods: &TokenStream) -> TokenStream {
     let (points, page, allowed) = (type_name(name), format!("The points and axes of a [`{name}`] in a state."), allowed());
     let page = docs::line(&page);
     quote! {

@@ -49,7 +49,7 @@ impl Emitter<'_> {
 }
 
 /// Implements `Sketch`, for `Drawable`. Its one path into the runtime has the span of `#[picture]`, where rustc says which feature is missing.
-pub(super) fn implementation(word: &Ident, name: &Ident, n: usize, body: &TokenStream) -> TokenStream {
+pub(crate) fn implementation(word: &Ident, name: &Ident, n: usize, body: &TokenStream) -> TokenStream {
     let (import, n, allowed) = (quote_spanned!(word.span()=> use ::reuleaux::picture as __picture;), number(n), super::allowed());
     quote! {
         const _: () = {

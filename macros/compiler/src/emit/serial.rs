@@ -28,7 +28,7 @@ pub(super) fn derived(word: Option<&Ident>, defaults: Option<&Ident>) -> TokenSt
 }
 
 /// The same of a stub.
-pub(super) fn promised(word: Option<&Ident>, name: &Ident, body: &TokenStream) -> TokenStream {
+pub(crate) fn promised(word: Option<&Ident>, name: &Ident, body: &TokenStream) -> TokenStream {
     let Some(word) = word else { return quote!() };
     quote_spanned! {word.span()=>
         impl<T> ::reuleaux::serde::Serialize for #name<T> {

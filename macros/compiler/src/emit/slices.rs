@@ -189,12 +189,12 @@ fn upstream(solving: &Solving, n: usize, body: &TokenStream) -> TokenStream {
 }
 
 /// The name of an output, whether it is raw or not.
-pub(super) fn plain(name: &Ident) -> String {
+pub(crate) fn plain(name: &Ident) -> String {
     name.to_string().trim_start_matches("r#").to_owned()
 }
 
 /// The type of a slice, `CrankRockerForTip`; outputs whose names differ in case only keep it.
-pub(super) fn slice_name(mechanism: &Ident, methods: &[Method], output: &str) -> Ident {
+pub(crate) fn slice_name(mechanism: &Ident, methods: &[Method], output: &str) -> Ident {
     let is_alone = methods.iter().filter(|other| camel(&other.name.to_string()) == camel(output)).count() <= 1;
     let tail = if is_alone { camel(output) } else { format!("_{output}") };
     format_ident!("{}For{}", mechanism, tail, span = Span::call_site())

@@ -11,7 +11,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 /// The accessors of a mechanism's state and of the views of its parts.
-pub(super) struct Accessors<'a> {
+pub(crate) struct Accessors<'a> {
     layout: &'a Layout,
     mechanism: &'a Ident,
     visibility: &'a TokenStream,
@@ -24,7 +24,7 @@ pub(super) struct Accessors<'a> {
 }
 
 impl<'a> Accessors<'a> {
-    pub(super) fn new(
+    pub(crate) fn new(
         layout: &'a Layout,
         mechanism: &'a Ident,
         visibility: &'a TokenStream,
@@ -34,7 +34,7 @@ impl<'a> Accessors<'a> {
     }
 
     /// The same in space, where orientations begin at an index of the state.
-    pub(super) fn in_space(self, orientations: Option<usize>) -> Accessors<'a> {
+    pub(crate) fn in_space(self, orientations: Option<usize>) -> Accessors<'a> {
         Accessors { orientations, ..self }
     }
 
@@ -55,12 +55,12 @@ impl<'a> Accessors<'a> {
     }
 
     /// The accessors of the mechanism's own bodies and parts, as methods of its state.
-    pub(super) fn of_mechanism(&self) -> TokenStream {
+    pub(crate) fn of_mechanism(&self) -> TokenStream {
         self.of(0, |place| self.view_of(quote!(self.0), place), |view, place| quote!(#view { state: &self.0, first: #place }))
     }
 
     /// The views of parts, over a state of `n` coordinates.
-    pub(super) fn views(&self, n: usize) -> TokenStream {
+    pub(crate) fn views(&self, n: usize) -> TokenStream {
         let (visibility, state) = (self.visibility, state_name(self.mechanism));
         let view = |component: usize| {
             let (view, declared) = (self.view(component), &self.layout.components[component]);

@@ -19,12 +19,17 @@ struct Evidence {
 
 /// Refuses a planar mechanism in which most vectors have three components.
 pub(crate) fn is_meant(tree: &Mechanism, diag: &mut Diag) -> Option<()> {
-    let mut found = Evidence::default();
-    found.items(&tree.items);
-    if tree.ambient == Ambient::Plane && found.is_certain && found.space > found.plane && found.space > 1 {
+    if means_space(tree) {
         return diag.refuse(&tree.name, ValueFact::MeansSpace { name: tree.name.to_string() });
     }
     Some(())
+}
+
+/// True for a planar mechanism in which most vectors have three components.
+pub(crate) fn means_space(tree: &Mechanism) -> bool {
+    let mut found = Evidence::default();
+    found.items(&tree.items);
+    tree.ambient == Ambient::Plane && found.is_certain && found.space > found.plane && found.space > 1
 }
 
 impl Evidence {

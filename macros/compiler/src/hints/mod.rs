@@ -1,21 +1,21 @@
 //! Guesses at the intent of a declaration, from the tree alone, without resolving names.
 //!
 //! In: expressions and items as written. Out: whether they are meant in space, lengths that were probably not meant in metres, forms that
-//! are often written in place of others, what outputs probably are, what refused items were meant to be, and names that nothing uses. Not done
+//! are often written in place of others, what outputs probably are, which names generated functions have, and names that nothing uses. Not done
 //! here: reporting, which `resolve` does, as it knows the meaning of names.
 
 mod ambient;
 mod forms;
+mod generated;
 mod lengths;
 mod outputs;
 mod promised;
-mod refused;
 mod unused;
 
-pub(crate) use ambient::is_meant;
+pub(crate) use ambient::{is_meant, means_space};
 pub(crate) use forms::{by_time, cross_product, is_zero, point_of, unit_in_parts};
+pub(crate) use generated::{is_generated, is_of_generated_type};
 pub(crate) use lengths::Lengths;
 pub(crate) use outputs::{OutputKind, derivatives, output_kind};
 pub(crate) use promised::{has_forces, has_inputs};
-pub(crate) use refused::refused;
 pub(crate) use unused::unused;

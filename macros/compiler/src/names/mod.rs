@@ -55,34 +55,6 @@ pub(crate) fn is_reserved(word: &str) -> bool {
     RESERVED.contains(&word) || BUILTINS.contains(&word)
 }
 
-/// Names of generated functions, which an output may not have.
-const GENERATED: &[&str] = &[
-    "phi",
-    "jacobian",
-    "jacobian_entries",
-    "nu",
-    "gamma",
-    "linearize",
-    "solve",
-    "solve_near",
-    "solve_from",
-    "advance",
-    "sweep",
-    "prepared",
-    "start",
-    "validate",
-    "characteristic_length",
-    "with_defaults",
-    "with_inputs_of",
-    "clone",
-    "default",
-];
-
-/// True if a generated function has this name.
-pub(crate) fn is_generated(name: &Ident) -> bool {
-    GENERATED.iter().any(|known| name == known)
-}
-
 /// Number of a namespace; that of the mechanism is 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct SpaceId(pub(crate) usize);

@@ -6,9 +6,10 @@ use super::statement::ScalarEquation;
 use super::{Freedom, Joint, Layout, Method, Name, Of, Output, Residual};
 use crate::diag::{ArrayFact, EquationFact, JerkObstacle, Kind, MotionFact, NameFact, Range, ValueFact};
 use crate::expr::{Expr, Leaf};
-use crate::names::{Context, EntityId, FrameId, Scalar, Scope, Value, is_generated};
+use crate::hints::is_generated;
+use crate::names::{Context, EntityId, FrameId, Scalar, Scope, Value};
 use crate::quantity::{Ambient, Dim, InferredDim};
-use crate::syntax::ast::{self, JointItem};
+use crate::syntax::ast::{self, JointItem, Mechanism};
 use proc_macro2::Ident;
 use std::collections::BTreeSet;
 
@@ -162,7 +163,7 @@ impl Elaborator<'_> {
     }
 
     /// One method for each output name. The method of an output in a part begins with the names of the enclosing parts.
-    pub(super) fn methods(&mut self, layout: &Layout, register: &Register, outputs: &[Option<Output>]) -> Vec<Method> {
+    pub(super) fn methods(&mut self, layout: &Layout, register: &Register, outputs: &[Option<Output>], tree: &Mechanism) -> Vec<Method> {
         let mut methods = Vec::new();
         self.methods_of(layout, register, &[0], &[], "", &mut methods);
         methods.sort_by_key(|method: &Method| method.members.first().copied());
@@ -171,7 +172,7 @@ impl Elaborator<'_> {
             let word = method.name.to_string();
             let slice = word.strip_prefix("solve_for_");
             let is_of_slice = |output: &str| methods.iter().any(|method| method.is_slice && method.name == output);
-            if is_generated(&method.name) || slice.is_some_and(is_of_slice) {
+            if is_generated(&method.name, tree) || slice.is_some_and(is_of_slice) {
                 self.refuse::<()>(&method.name, NameFact::Generated { name: word });
             } else if !taken.insert(word.clone()) {
                 self.refuse::<()>(&method.name, NameFact::Duplicate { name: word, first: "another output" });

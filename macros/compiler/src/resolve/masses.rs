@@ -20,13 +20,14 @@ use proc_macro2::Ident;
 impl Elaborator<'_> {
     /// Mass, centre and inertia of a body.
     pub(super) fn mass(&mut self, frame: &ast::Shared<ast::FrameItem>, scope: &Scope) -> Vec<Mass> {
-        let mut found = Mass::default();
+        let (mut found, one) = (Mass::default(), self.arena.integer(1));
         // The inertia of a shape needs the mass.
         let (first, rest): (Vec<_>, Vec<_>) = frame.masses.iter().enumerate().partition(|(_, written)| written.what == "mass");
         for (number, written) in first.into_iter().chain(rest) {
             let word = written.what.to_string();
             let value = match word.as_str() {
-                "mass" => self.scalar_of(&written.value, Dim::MASS, scope).map(|scalar| vec![scalar.expr]),
+                // After a mass that was refused nothing else is said of it.
+                "mass" => Some(vec![self.scalar_of(&written.value, Dim::MASS, scope).map_or(one, |scalar| scalar.expr)]),
                 "center" => self.location(&written.value, scope).map(|vector| vector.parts.to_vec()),
                 _ => self.inertia(written, found.mass, false, scope),
             };

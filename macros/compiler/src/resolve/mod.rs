@@ -30,7 +30,6 @@ mod unused;
 mod whole;
 
 pub(crate) use definition::{check as check_definition, check_names};
-pub(crate) use register::is_of_generated_type;
 pub(crate) use whole::{Outline, outline, resolve};
 
 use crate::model::{

@@ -11,6 +11,7 @@ use super::layout::OpenPart;
 use super::{Name, Of};
 use crate::diag::{ArrayFact, EquationFact, GrammarFact, NameFact};
 use crate::expr::Leaf;
+use crate::hints;
 use crate::names::{
     Context, Declared, Entity, EntityId, FrameId, Key, PartArguments, Progress, Scalar, Scope, Sort, SpaceId, Value, is_reserved,
 };
@@ -78,7 +79,7 @@ impl Elaborator<'_> {
     fn component(&mut self, component: &ast::Shared<ast::ComponentItem>) {
         let name = &component.head.name;
         let word = name.to_string();
-        if is_of_generated_type(&word) {
+        if hints::is_of_generated_type(&word) {
             self.diag.refuse::<()>(name, ArrayFact::GeneratedType { name: word.clone() });
             self.names.components.entry(word).or_insert_with(|| component.clone());
         } else if self.names.components.contains_key(&word) {
@@ -116,6 +117,7 @@ impl Elaborator<'_> {
                 register.parameters.push((id, parameter.clone()));
             }
             Item::Input(input) => self.input(input, context, register),
+            Item::Refused(inner) => self.number_item(inner, context, place, register),
             Item::Let(binding) => {
                 let written = Written { key: Key::Name(binding.id()), name: &binding.name, indices: &binding.indices };
                 let id = self.declare(written, Entity::Let(binding.clone()), Progress::Untouched, Sort::Let, context);
@@ -219,6 +221,7 @@ impl Elaborator<'_> {
             }
             Item::Range(times) => register.range = Some(times.clone()),
             Item::Use(uses) => self.names_are_new(uses),
+            Item::Refused(inner) => self.item(inner, context, place, register),
             _ => {}
         }
     }
@@ -421,11 +424,4 @@ impl Elaborator<'_> {
 /// True in a loop or in a component, where a declaration may be expanded several times.
 pub(super) fn is_one_of_many(context: &Context) -> bool {
     context.space != SpaceId::MECHANISM || !context.bound.is_empty()
-}
-
-/// True if the name of the mechanism followed by `word` may be a generated type: the state or a view of it, a failure, a slice for an
-/// output, a prepared or a moving mechanism.
-pub(crate) fn is_of_generated_type(word: &str) -> bool {
-    let is_of_slice = word.strip_prefix("For").is_some_and(|output| output.starts_with(|first: char| first.is_uppercase() || first == '_'));
-    word.starts_with("State") || is_of_slice || ["Failure", "Prepared", "Moving"].contains(&word)
 }

@@ -7,9 +7,7 @@ use super::{Layout, Method, Model, Name, Parameter};
 use crate::diag::nearest;
 use crate::diag::{Diag, NameFact, Range, ValueFact};
 use crate::hints;
-use crate::names::{
-    Context, Declared, Entity, EntityId, FunctionValue, Key, Names, PartArguments, Progress, Scalar, Scope, Value, is_generated,
-};
+use crate::names::{Context, Declared, Entity, EntityId, FunctionValue, Key, Names, PartArguments, Progress, Scalar, Scope, Value};
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{self, Definition};
 use std::collections::{BTreeMap, BTreeSet};
@@ -40,7 +38,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     work.fits_inputs(tree.task, &register, &joints);
     let gravity = work.gravity(&register);
     let outputs = work.outputs(&register);
-    let methods = work.methods(&layout, &register, &outputs);
+    let methods = work.methods(&layout, &register, &outputs, tree);
     work.unused_components(&register);
     work.requirements_hold(&parameters);
     work.fixed_values_are_finite(&parameters);
@@ -86,6 +84,9 @@ pub(crate) struct Outline {
     pub(crate) methods: Vec<Method>,
     /// The outputs by number.
     pub(crate) outputs: Vec<ast::Shared<ast::OutputItem>>,
+    /// Joints, drives and freedoms.
+    pub(crate) joints: Vec<(Name, ast::Shared<ast::JointItem>)>,
+    pub(crate) forces: Vec<(Name, ast::Shared<ast::JointItem>)>,
     /// Number of bodies.
     pub(crate) bodies: usize,
 }
@@ -96,10 +97,13 @@ pub(crate) fn outline(tree: &ast::Mechanism) -> Outline {
     let mut work = Elaborator::new(&mut diag, Names::new(BTreeMap::new(), tree.ambient));
     let register = work.register(&tree.items);
     let layout = work.layout(&register);
-    let mut methods = work.methods(&layout, &register, &vec![None; register.outputs.len()]);
+    let mut methods = work.methods(&layout, &register, &vec![None; register.outputs.len()], tree);
     let mut taken = BTreeSet::new();
-    methods.retain(|method| !is_generated(&method.name) && taken.insert(method.name.to_string()));
-    Outline { layout, methods, outputs: register.outputs.into_iter().map(|(_, output)| output).collect(), bodies: register.bodies.len() }
+    methods.retain(|method| !hints::is_generated(&method.name, tree) && taken.insert(method.name.to_string()));
+    let named = |(id, joint): (EntityId, _)| (work.names.declared[id.0].name.clone(), joint);
+    let [joints, forces] = [register.joints, register.forces].map(|items| items.into_iter().map(named).collect());
+    let outputs = register.outputs.into_iter().map(|(_, output)| output).collect();
+    Outline { layout, methods, outputs, joints, forces, bodies: register.bodies.len() }
 }
 
 impl Elaborator<'_> {

@@ -43,6 +43,8 @@ pub struct Mechanism {
     pub ambient: Ambient,
     /// Items between the braces, in the order written.
     pub items: Vec<Item>,
+    /// True if a mass is written somewhere, also where it could not be read.
+    pub mentions_masses: bool,
 }
 
 /// Doc attributes as tokens, and their text; and attributes for Rust.
@@ -89,8 +91,8 @@ pub enum Item {
     Part(Shared<PartItem>),
     /// `for variable in from..to { items }`
     For(Shared<For<Vec<Item>>>),
-    /// A rejected item, as far as its name could be read.
-    Refused(Refused),
+    /// A rejected item, as far as it could be read; the stub of the mechanism contains it all the same.
+    Refused(Box<Item>),
 }
 
 /// Acceleration of free fall.
@@ -109,17 +111,6 @@ pub struct TimeRange {
     pub keyword: Ident,
     /// Start and end.
     pub limits: Limits,
-}
-
-/// Declaration of a rejected item, which the stub of the mechanism contains all the same.
-#[derive(Clone, Debug)]
-pub struct Refused {
-    /// `param`, `body`, …
-    pub keyword: Ident,
-    /// Declared name.
-    pub name: Ident,
-    /// Indices.
-    pub indices: Vec<Expression>,
 }
 
 /// One imported constraint.

@@ -2,17 +2,18 @@
 
 use super::ast::{
     Closing, Docs, Expression, ExpressionKind, Feature, Following, FrameItem, FunctionItem, Gravity, Item, JointItem, Let, Limits, Marks,
-    MassItem, Mechanism, ParameterItem, Refused, Requests, Shared, Start, Task, TimeRange, Use,
+    MassItem, Mechanism, ParameterItem, Requests, Shared, Start, Task, TimeRange, Use,
 };
 use super::dimension::{dimension, required_dimension};
-use super::expression::{declared, expression, indices};
+use super::expression::{declared, expression};
 use super::joint::{energy, freedom, joint};
 use super::options::{Options, options, passing};
 use super::output::output;
 use super::repeated::{component, part, repeated_items, repeated_marks};
+use super::salvage;
 use super::tokens::{
-    Parsed, arrow, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, name, name_before_block, parentheses, path,
-    report, semicolon, skip_item, skip_to_block, statement_text, visibility, wrong,
+    Parsed, arrow, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, mentions_masses, name, name_before_block,
+    parentheses, path, report, semicolon, skip_item, skip_statement, skip_to_block, statement_text, visibility, wrong,
 };
 use crate::diag::{ArrayFact, Diag, GrammarFact, Home, Range, ValueFact, home};
 use crate::quantity::Ambient;
@@ -32,8 +33,15 @@ pub(super) fn mechanism(input: ParseStream, diag: &mut Diag) -> Option<Mechanism
             salvaged(&beginning)?
         }
     };
-    let content = report(block(input, "`{` and the items of the mechanism"), diag);
+    let place = input.fork();
+    let content = report(block(input, "`{` and the items of the mechanism"), diag).or_else(|| {
+        // `Name space {` is meant like `Name in space {`.
+        mechanism.ambient = if keyword(&place).is_some_and(|word| word == "space") { Ambient::Space } else { mechanism.ambient };
+        skip_to_block(input)?;
+        braces(input).ok().map(|(content, _)| content)
+    });
     let Some(content) = content else { return Some(mechanism) };
+    mechanism.mentions_masses = content.fork().parse().is_ok_and(mentions_masses);
     mechanism.items = items(&content, ItemContext::top(mechanism.ambient), diag);
     if mechanism.task == Task::Kinematics && has_freedoms(&mechanism.items) {
         mechanism.task = Task::Motion;
@@ -53,6 +61,7 @@ fn has_freedoms(items: &[Item]) -> bool {
         Item::Joint(joint) => joint.is_freedom(),
         Item::For(repeated) => has_freedoms(&repeated.items),
         Item::Component(component) => has_freedoms(&component.items),
+        Item::Refused(item) => has_freedoms(std::slice::from_ref(item)),
         _ => false,
     })
 }
@@ -71,7 +80,8 @@ fn head(input: ParseStream) -> Parsed<Mechanism> {
     }
     let ambient = ambient(input)?.unwrap_or_default();
     let Options { task, closing, following, allows_far_start, requests } = options;
-    Ok(Mechanism { docs, task, closing, following, allows_far_start, requests, visibility, name, ambient, items: Vec::new() })
+    let (items, mentions_masses) = (Vec::new(), false);
+    Ok(Mechanism { docs, task, closing, following, allows_far_start, requests, visibility, name, ambient, items, mentions_masses })
 }
 
 /// `in space` or `in plane`, if written.
@@ -104,6 +114,7 @@ fn salvaged(head: ParseStream) -> Option<Mechanism> {
         name,
         ambient: ambient(head).ok().flatten().unwrap_or_default(),
         items: Vec::new(),
+        mentions_masses: false,
     })
 }
 
@@ -125,7 +136,7 @@ impl ItemContext<'_> {
     }
 }
 
-/// Parses items. A rejected item leaves its name behind, and parsing goes on with the next item.
+/// Parses items. A rejected item leaves behind what could be read of it, and parsing goes on with the next item.
 pub(super) fn items(content: ParseStream, place: ItemContext, diag: &mut Diag) -> Vec<Item> {
     let mut items = Vec::new();
     while !content.is_empty() {
@@ -134,22 +145,12 @@ pub(super) fn items(content: ParseStream, place: ItemContext, diag: &mut Diag) -
             Ok(item) => items.push(item),
             Err(refusal) => {
                 diag.refuse::<()>(refusal.range, refusal.fact);
-                items.extend(promised(&before.fork()).map(Item::Refused));
+                items.extend(salvage::salvaged(&before.fork(), place.ambient).map(|item| Item::Refused(Box::new(item))));
                 skip_item(content, &before, is_item);
             }
         }
     }
     items
-}
-
-/// Reads the keyword, the name and the indices of a rejected item.
-fn promised(input: ParseStream) -> Option<Refused> {
-    attributes(input).ok()?;
-    let [mut keyword, mut name] = [Ident::parse_any(input).ok()?, self::name(input, "a name").ok()?];
-    if keyword == "slice" && ["output", "joint", "drive", "force"].iter().any(|word| name == word) {
-        (keyword, name) = (name, self::name(input, "a name").ok()?);
-    }
-    Some(Refused { keyword, name, indices: indices(input).unwrap_or_default() })
 }
 
 fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item> {
@@ -171,8 +172,8 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
         "param" => Item::Parameter(Shared::new(parameter(input, docs)?)),
         "input" => Item::Input(Shared::new(input_item(input, docs)?)),
         "function" => Item::Function(Shared::new(function(input)?)),
-        "ground" => Item::Ground(Shared::new(ground(input, docs)?)),
-        "body" => Item::Body(Shared::new(body(input, docs)?)),
+        "ground" => Item::Ground(Shared::new(ground(input, docs, diag)?)),
+        "body" => Item::Body(Shared::new(body(input, docs, diag)?)),
         "joint" | "drive" | "redundant" => Item::Joint(Shared::new(joint(input, docs)?)),
         "freedom" => Item::Joint(Shared::new(freedom(input, docs)?)),
         // A force may depend on time.
@@ -390,34 +391,48 @@ fn function(input: ParseStream) -> Parsed<FunctionItem> {
     Ok(FunctionItem { name, argument, from, to, value })
 }
 
-fn ground(input: ParseStream, docs: Docs) -> Parsed<FrameItem> {
+fn ground(input: ParseStream, docs: Docs, diag: &mut Diag) -> Parsed<FrameItem> {
     let name = Ident::parse_any(input)?;
-    frame(input, docs, (name, Vec::new()), "`{` and the points of ground")
+    frame(input, docs, (name, Vec::new()), "`{` and the points of ground", diag)
 }
 
-fn body(input: ParseStream, docs: Docs) -> Parsed<FrameItem> {
+fn body(input: ParseStream, docs: Docs, diag: &mut Diag) -> Parsed<FrameItem> {
     Ident::parse_any(input)?;
     let name = declared(input, "the name of the body")?;
-    frame(input, docs, name, "`{` and the points of the body")
+    frame(input, docs, name, "`{` and the points of the body", diag)
 }
 
-fn frame(input: ParseStream, docs: Docs, (name, indices): (Ident, Vec<Expression>), what: &'static str) -> Parsed<FrameItem> {
+/// The items of a body. A rejected one is left out, and parsing goes on with the next.
+fn frame(
+    input: ParseStream,
+    docs: Docs,
+    (name, indices): (Ident, Vec<Expression>),
+    what: &'static str,
+    diag: &mut Diag,
+) -> Parsed<FrameItem> {
     let content = block(input, what)?;
     let mut frame = FrameItem { docs, name, indices, marks: Marks::default(), starts: Vec::new(), masses: Vec::new() };
     while !content.is_empty() {
-        // Points may have doc comments; no item is generated that could carry them.
-        self::docs(&content)?;
-        if keyword(&content).is_some_and(|word| word == "start") {
-            frame.starts.push(start(&content)?);
-        } else if let Some(what) = keyword(&content).filter(|word| ["mass", "center", "inertia"].iter().any(|known| word == known)) {
-            Ident::parse_any(&content)?;
-            equals(&content)?;
-            frame.masses.push(mass(&content, what)?);
-        } else {
-            marks(&content, &mut frame.marks, ItemContext::top(Ambient::default()))?;
+        if report(frame_item(&content, &mut frame), diag).is_none() {
+            skip_statement(&content);
         }
     }
     Ok(frame)
+}
+
+fn frame_item(content: ParseStream, frame: &mut FrameItem) -> Parsed<()> {
+    // Points may have doc comments; no item is generated that could carry them.
+    docs(content)?;
+    if keyword(content).is_some_and(|word| word == "start") {
+        frame.starts.push(start(content)?);
+    } else if let Some(what) = keyword(content).filter(|word| ["mass", "center", "inertia"].iter().any(|known| word == known)) {
+        Ident::parse_any(content)?;
+        equals(content)?;
+        frame.masses.push(mass(content, what)?);
+    } else {
+        marks(content, &mut frame.marks, ItemContext::top(Ambient::default()))?;
+    }
+    Ok(())
 }
 
 /// The value of a mass, a centre or an inertia.

@@ -1,10 +1,11 @@
 //! Parses joints, drives, freedoms, forces and energies.
 
-use super::ast::{Argument, Docs, Expression, FreedomItem, JointBody, JointItem};
+use super::arguments::arguments;
+use super::ast::{Docs, Expression, FreedomItem, JointBody, JointItem};
 use super::definition::statement;
 use super::expression::{declared, expression};
 use super::item::value;
-use super::tokens::{Parsed, braces, comma, equals, expected, keyword, name, parentheses, path, semicolon, wrong};
+use super::tokens::{Parsed, braces, equals, expected, keyword, name, path, semicolon, wrong};
 use crate::diag::{GrammarFact, MotionFact, Word};
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
@@ -142,26 +143,4 @@ fn instance(input: ParseStream) -> Parsed<JointBody> {
     let arguments = arguments(input)?;
     semicolon(input)?;
     Ok(JointBody::Of { kind, arguments })
-}
-
-/// `(value, name: value, …)`
-pub(super) fn arguments(input: ParseStream) -> Parsed<Vec<Argument>> {
-    let (content, _) = parentheses(input)?;
-    let mut arguments = Vec::new();
-    while !content.is_empty() {
-        arguments.push(argument(&content)?);
-        comma(&content, "`,` or `)`")?;
-    }
-    Ok(arguments)
-}
-
-/// `value` or `name: value`
-fn argument(input: ParseStream) -> Parsed<Argument> {
-    let is_named = input.peek(syn::Ident) && input.peek2(Token![:]) && !input.peek2(Token![::]);
-    if !is_named {
-        return Ok(Argument { name: None, value: expression(input)? });
-    }
-    let name = name(input, "the name of the argument")?;
-    input.parse::<Token![:]>()?;
-    Ok(Argument { name: Some(name), value: expression(input)? })
 }

@@ -5,6 +5,7 @@
 //!
 //! A broken item is reported and skipped, so that the next one is still parsed; the parser never stops at the first error.
 
+mod arguments;
 pub mod ast;
 mod definition;
 mod dimension;
@@ -14,6 +15,7 @@ mod joint;
 mod options;
 mod output;
 mod repeated;
+mod salvage;
 mod tokens;
 
 use crate::diag::{Diag, GrammarFact, Refusal};

@@ -1,11 +1,11 @@
 //! Parses components, their parts, and loops.
 
+use super::arguments::arguments;
 use super::ast::{ComponentItem, Definition, Docs, For, IndexRange, Item, Marks, PartItem};
 use super::definition::formals;
 use super::expression::{declared, expression};
 use super::item::{ItemContext, items, marks};
-use super::joint::arguments;
-use super::tokens::{Parsed, block, docs, equals, expected, keyword, name, semicolon};
+use super::tokens::{Parsed, block, docs, equals, expected, keyword, name, report, semicolon, skip_to_block};
 use crate::diag::Diag;
 use crate::quantity::Ambient;
 use proc_macro2::Ident;
@@ -18,7 +18,11 @@ use syn::{Token, token};
 pub(super) fn component(input: ParseStream, docs: Docs, ambient: Ambient, diag: &mut Diag) -> Parsed<ComponentItem> {
     Ident::parse_any(input)?;
     let name = name(input, "the name of the component")?;
-    let parameters = formals(input, "`(` and what the component takes, or `()`")?;
+    let parameters = report(formals(input, "`(` and what the component takes, or `()`"), diag);
+    if parameters.is_none() && skip_to_block(input).is_none() {
+        return expected(input, "`{` and the items of the component");
+    }
+    let parameters = parameters.unwrap_or_default();
     let content = block(input, "`{` and the items of the component")?;
     let items = items(&content, ItemContext { is_top: false, variable: None, ambient }, diag);
     Ok(ComponentItem {

@@ -312,6 +312,39 @@ pub(super) fn skip_item(input: ParseStream, start: ParseStream, is_item: fn(Pars
     }
 }
 
+/// Skips the rest of a broken item of a body: through the next `;`, or to the end.
+pub(super) fn skip_statement(input: ParseStream) {
+    while let Ok(token) = input.parse::<TokenTree>() {
+        if matches!(&token, TokenTree::Punct(punct) if punct.as_char() == ';') {
+            return;
+        }
+    }
+}
+
+/// True if a mass is given: `mass` before `=`, `:`, a number or `at`, and not as the name of an item.
+pub(super) fn mentions_masses(tokens: TokenStream) -> bool {
+    let mut open = vec![tokens];
+    while let Some(tokens) = open.pop() {
+        let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+        open.extend(tokens.iter().filter_map(|token| if let TokenTree::Group(group) = token { Some(group.stream()) } else { None }));
+        let is_given = |at: usize| {
+            let is_named = at > 0 && matches!(&tokens[at - 1], TokenTree::Ident(word) if word != "add");
+            let has_value = match tokens.get(at + 1) {
+                Some(TokenTree::Punct(sign)) => ['=', ':'].contains(&sign.as_char()),
+                Some(TokenTree::Ident(word)) => word == "at",
+                Some(TokenTree::Literal(_)) => true,
+                _ => false,
+            };
+            has_value && !is_named
+        };
+        let mut masses = tokens.iter().enumerate().filter(|(_, token)| matches!(token, TokenTree::Ident(word) if word == "mass"));
+        if masses.any(|(at, _)| is_given(at)) {
+            return true;
+        }
+    }
+    false
+}
+
 /// Skips to the first `{`, or to the `in` before it, and returns the name before that.
 pub(super) fn name_before_block(input: ParseStream) -> Option<Ident> {
     let mut name = None;

@@ -49,9 +49,9 @@ crate::refusals! {
     item functions_call_each_other: "function f(x: Angle) -> Length = 2 * g(x); function g(x: Angle) -> Length = «f(x)»;" => "the function `f` calls itself\nnote: functions are written out where they are called; this would not end";
     item name_with_a_meaning: "param «pi»: Length = 1m;" => "`pi` has a meaning of its own in expressions\nhelp: choose another name";
     item name_of_a_builtin: "body «dot» {}" => "`dot` has a meaning of its own in expressions\nhelp: choose another name";
-    item output_with_a_generated_name: "output «solve» = crank.x;" => "an output cannot be called `solve`: a generated function has that name\nhelp: choose another name";
+    item output_with_a_generated_name: "output «solve» = crank.x;" => "an output cannot be called `solve`: a generated function has that name\nhelp: choose another name, such as `solve_value`";
     item slice_of_a_body: "slice «body» wheel {}" => "expected `output`, `joint`, `drive` or `force` after `slice`, found `body`";
-    item output_with_the_name_of_a_slice: "slice output far = crank.x; output «solve_for_far» = crank.x;" => "an output cannot be called `solve_for_far`: a generated function has that name\nhelp: choose another name";
+    item output_with_the_name_of_a_slice: "slice output far = crank.x; output «solve_for_far» = crank.x;" => "an output cannot be called `solve_for_far`: a generated function has that name\nhelp: choose another name, such as `solve_for_far_value`";
     item point_called_angle_and_used: "body b { point «angle» = (0mm, 0mm); } joint j = revolute(b.angle, crank.A);" => "`angle` has a meaning of its own in expressions\nhelp: choose another name";
     item axis_called_like_a_coordinate: "body b { axis «x» = (1, 0); } joint j = translational(b.x, b.position, crank.A);" => "`x` has a meaning of its own in expressions\nhelp: choose another name";
     item velocity_as_a_function: "output b = «velocity»(crank.A);" => "no function is called `velocity`\nhelp: did you mean `rate`?";

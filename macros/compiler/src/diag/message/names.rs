@@ -154,7 +154,9 @@ impl Display for NameFact {
             }
             NameFact::Reserved { name } => write!(f, "`{name}` has a meaning of its own in expressions\nhelp: choose another name"),
             NameFact::Generated { name } => {
-                write!(f, "an output cannot be called `{name}`: a generated function has that name\nhelp: choose another name")
+                let what = if name.starts_with(char::is_uppercase) { "constant" } else { "function" };
+                write!(f, "an output cannot be called `{name}`: a generated {what} has that name")?;
+                write!(f, "\nhelp: choose another name, such as `{}_value`", name.trim_start_matches('_').to_lowercase())
             }
             NameFact::Cycle { name, through } if through.is_empty() => write!(f, "`{name}` depends on itself"),
             NameFact::Cycle { name, through } => write!(f, "`{name}` depends on itself, by way of {}", list(through)),

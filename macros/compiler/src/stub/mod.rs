@@ -1,30 +1,45 @@
-//! Code in place of a refused mechanism: the same items without content, so that one
-//! mistake gives one error.
+//! Code in place of a refused mechanism: the same items without content, so that one mistake gives one error.
+//!
+//! Names and shapes are read from the tree, as far as they can be; a rejected item has those that it was meant to have.
 
-use super::arrays::array_type;
-use super::inputs::type_name;
-use super::literal::{matrix_type, number, vector_type};
-use super::outputs::motion_type;
-use super::parameters::Parameters;
-use super::points;
-use super::scene;
-use super::serial;
-use super::slices::{plain, slice_name};
-use super::state::Accessors;
-use super::stub_loads::loads;
+mod loads;
+
 use crate::diag::{Fact, NameFact};
-use crate::hints::{OutputKind, derivatives, has_forces, has_inputs, output_kind, refused};
-use crate::model::{Layout, Method, Of};
+use crate::emit::arrays::array_type;
+use crate::emit::inputs::type_name;
+use crate::emit::literal::{matrix_type, number, vector_type};
+use crate::emit::outputs::motion_type;
+use crate::emit::parameters::{Parameters, over};
+use crate::emit::slices::{plain, slice_name};
+use crate::emit::state::Accessors;
+use crate::emit::{points, scene, serial};
+use crate::hints::{OutputKind, derivatives, has_forces, has_inputs, means_space, output_kind};
+use crate::model::{Layout, Method};
 use crate::quantity::Ambient;
 use crate::resolve::{Outline, outline};
 use crate::syntax::ast::{Item, Mechanism, Task, Use};
+use loads::loads;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 use std::collections::BTreeSet;
 
 /// A type with the promised fields and functions, none of which can be run.
 pub(crate) fn stub(tree: &Mechanism) -> TokenStream {
-    promise(tree, &tree.visibility, &quote!(loop {}))
+    let mut tree = tree.clone();
+    if means_space(&tree) {
+        tree.ambient = Ambient::Space;
+    }
+    // `T` is the number type of all functions, but another name of the mechanism outside.
+    let alias = (tree.name == "T").then(|| {
+        let (visibility, name) = (&tree.visibility, std::mem::replace(&mut tree.name, format_ident!("RefusedT")));
+        let [state, loads] = ["State", "Loads"].map(|what| format_ident!("RefusedT{what}"));
+        let [own_state, own_loads] = ["State", "Loads"].map(|what| format_ident!("T{what}"));
+        let state = tree.task.is_determined().then(|| quote!(#visibility use #state as #own_state;));
+        let loads = has_forces(&tree).then(|| quote!(#visibility use #loads as #own_loads;));
+        quote!(#[allow(unused_imports)] #visibility use RefusedT as #name; #[allow(unused_imports)] #state #[allow(unused_imports)] #loads)
+    });
+    let promise = promise(&tree, &tree.visibility, &quote!(loop {}));
+    quote!(#promise #alias)
 }
 
 /// A stub that gives way to the mechanism itself, once `wanted` is found to be a constraint.
@@ -66,12 +81,12 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
     let (solutions, stages) = (tree.task.is_solved()).then(|| solutions(name, &state, visibility, n, body)).unzip();
     let solutions = inputs.as_ref().map_or(solutions, |inputs| Some(solutions_with_inputs(&state, inputs, n, body)));
     let inputs = inputs.map(|inputs| quote!(, pub #inputs<T>));
-    let has_outputs = !promised.methods.is_empty() || !refused(tree, "output").is_empty();
+    let has_outputs = !promised.methods.is_empty();
     let (solve_for, slices) = (tree.task.is_solved()).then(|| slices(tree, &promised, visibility, body)).unzip();
     let outputs = outputs(tree, &promised, &state, body);
     let (n, vector, plan) = (number(n), vector_type(n), no_plan());
     let motion = (tree.task == Task::Motion).then(|| motion_from_forces(&state, body));
-    let (loads, of_loads) = has_forces(tree).then(|| loads(tree, &state, visibility, body)).unzip();
+    let (loads, of_loads) = has_forces(tree).then(|| loads(tree, &promised, visibility, body)).unzip();
     let points = tree.requests.points.as_ref().map(|_| points(tree, visibility, &state, body));
     let listing = tree.requests.outputs.as_ref().map(|_| listing(name, &state, &n, body));
     let state = (tree.task.is_determined() || has_outputs).then(|| {
@@ -145,21 +160,11 @@ fn listing(name: &Ident, state: &Ident, n: &TokenStream, body: &TokenStream) -> 
     }
 }
 
-/// An array of a refused item, of unknown length.
-fn array(element: TokenStream, ranks: usize) -> TokenStream {
-    (0..ranks).fold(element, |inner, _| quote!([#inner; 1]))
-}
-
 /// The structs of parameters and their defaults. `default` is not generic and so built in every library, also where nobody calls
 /// it: it calls nothing itself.
 fn structure(tree: &Mechanism, layout: &Layout, visibility: &TokenStream) -> TokenStream {
     let (name, parameters) = (&tree.name, Parameters::new(layout, &tree.name));
-    let mut fields = parameters.types(0);
-    for (refused, ranks) in refused(tree, "param") {
-        if !fields.iter().any(|(known, _)| *known == refused) {
-            fields.push((refused, array(quote!(T), ranks)));
-        }
-    }
+    let fields = parameters.types(0);
     let marker = fields.is_empty().then(|| quote!(#[doc(hidden)] pub _real: ::core::marker::PhantomData<T>));
     let structure = |name: &Ident, fields: &[(&Ident, TokenStream)], marker: Option<TokenStream>| {
         let fields = fields.iter().map(|(field, kind)| quote!(pub #field: #kind,));
@@ -175,13 +180,14 @@ fn structure(tree: &Mechanism, layout: &Layout, visibility: &TokenStream) -> Tok
     };
     let components = parameters.structures().map(|(component, name)| structure(&name, &parameters.types(component), None));
     let mechanism = structure(name, &fields, marker);
+    let over = over(name);
     let family = quote! {
         impl<T> ::reuleaux::Family<T> for #name<T> {
-            type Over<U: ::reuleaux::Real> = #name<U>;
-            fn gather<U: ::reuleaux::Real, const L: ::core::primitive::usize>(
-                _: [&Self; L],
-                _: impl ::core::ops::Fn([T; L]) -> U,
-            ) -> #name<U> { loop {} }
+            type Over<#over: ::reuleaux::Real> = #name<#over>;
+            fn gather<#over: ::reuleaux::Real, const LANES: ::core::primitive::usize>(
+                _: [&Self; LANES],
+                _: impl ::core::ops::Fn([T; LANES]) -> #over,
+            ) -> #name<#over> { loop {} }
         }
     };
     quote!(#mechanism #(#components)* #family)
@@ -191,14 +197,9 @@ fn accessors(tree: &Mechanism, layout: &Layout, visibility: &TokenStream, n: usi
     let state = format_ident!("{}State", tree.name);
     let accessors = Accessors::new(layout, &tree.name, visibility, Some(body)).in_space((tree.ambient == Ambient::Space).then_some(0));
     let (own, views) = (accessors.of_mechanism(), accessors.views(n));
-    let is_new = |name: &Ident| !layout.components[0].fields.iter().any(|field| field.of == Of::Body && field.name == *name);
-    let refused = refused(tree, "body").into_iter().filter(|(name, _)| is_new(name)).map(|(name, ranks)| {
-        let kind = array(body_type(tree), ranks);
-        quote!(pub fn #name(&self) -> #kind { #body })
-    });
     quote! {
         #[allow(missing_docs, dead_code, clippy::all)]
-        impl<T: ::reuleaux::Real> #state<T> { #own #(#refused)* }
+        impl<T: ::reuleaux::Real> #state<T> { #own }
         #views
     }
 }
@@ -271,6 +272,7 @@ fn solutions_with_inputs(state: &Ident, inputs: &Ident, n: usize, body: &TokenSt
     let (vector, n) = (vector_type(n), number(n));
     let result = quote!(::core::result::Result<#state<T>, ::reuleaux::Failure<T, #n>>);
     quote! {
+        pub fn advance_once(&self, _: &mut #state<T>, _: T, _: #inputs<T>) -> ::core::primitive::bool { #body }
         pub fn with_inputs_of(&self, _: &#state<T>) -> Self { #body }
         pub fn solve(&self, _: T, _: #inputs<T>) -> #result { #body }
         pub fn solve_near(&self, _: T, _: &#vector, _: #inputs<T>) -> #result { #body }
@@ -388,10 +390,5 @@ fn outputs(tree: &Mechanism, promised: &Outline, state: &Ident, body: &TokenStre
         }
         quote!(pub fn #name(&self, _: &#state<T>) -> #motion { #body })
     };
-    let is_new = |name: &Ident| !promised.methods.iter().any(|method| method.name == *name);
-    let refused = refused(tree, "output").into_iter().filter(|(name, _)| is_new(name)).map(|(name, ranks)| {
-        let motion = array(quote!(::reuleaux::Motion<T>), ranks);
-        quote!(pub fn #name(&self, _: &#state<T>) -> #motion { #body })
-    });
-    promised.methods.iter().map(method).chain(refused).collect()
+    promised.methods.iter().map(method).collect()
 }

@@ -1,0 +1,29 @@
+//! Parses the arguments of joints, forces and parts.
+
+use super::ast::Argument;
+use super::expression::expression;
+use super::tokens::{Parsed, comma, name, parentheses};
+use syn::Token;
+use syn::parse::ParseStream;
+
+/// `(value, name: value, …)`
+pub(super) fn arguments(input: ParseStream) -> Parsed<Vec<Argument>> {
+    let (content, _) = parentheses(input)?;
+    let mut arguments = Vec::new();
+    while !content.is_empty() {
+        arguments.push(argument(&content)?);
+        comma(&content, "`,` or `)`")?;
+    }
+    Ok(arguments)
+}
+
+/// `value` or `name: value`
+fn argument(input: ParseStream) -> Parsed<Argument> {
+    let is_named = input.peek(syn::Ident) && input.peek2(Token![:]) && !input.peek2(Token![::]);
+    if !is_named {
+        return Ok(Argument { name: None, value: expression(input)? });
+    }
+    let name = name(input, "the name of the argument")?;
+    input.parse::<Token![:]>()?;
+    Ok(Argument { name: Some(name), value: expression(input)? })
+}

@@ -1,0 +1,92 @@
+//! Every function and constant that is generated for a mechanism has a name that no output may take, and only those names are refused.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::TokenStream;
+use syn::{ImplItem, Item, Type};
+
+/// A crank whose drive and attributes are given.
+fn crank(attributes: &str, more: &str) -> String {
+    format!(
+        "{attributes} mechanism Crank {{
+            ground {{ point O = (0mm, 0mm); }}
+            body crank {{ point O = (0mm, 0mm); point A = (100mm, 0mm); }}
+            joint o = revolute(ground.O, crank.O);
+            {more}
+        }}"
+    )
+}
+
+const DRIVE: &str = "drive turn = drive_angle(crank, 60rpm * t);";
+
+/// Mechanisms of every kind, and of every attribute that adds functions.
+fn declarations() -> Vec<String> {
+    let heavy = |more: &str| {
+        crank("", more).replace("point A", "mass = 1kg; inertia = disk(50mm); center = (50mm, 0mm); point A") // A disk beside its axle.
+    };
+    let coupled = "
+        body coupler { point A = (0mm, 0mm); point B = (300mm, 0mm); }
+        body slide { point B = (0mm, 0mm); start x = 380mm; }
+        joint a = revolute(crank.A, coupler.A);
+        joint b = revolute(coupler.B, slide.B);
+        joint rail = translational((1, 0), ground.O, slide.B);";
+    vec![
+        crank("", DRIVE),
+        crank("#[points] #[outputs] #[picture]", &format!("{DRIVE} output tip = crank.A;")),
+        crank("#[equations_only]", &format!("{DRIVE} output tip = crank.A;")),
+        crank("", &format!("{DRIVE} slice output tip = crank.A; output turned = crank.angle;")),
+        crank("", "input angle: Angle; drive turn = drive_angle(crank, angle);"),
+        crank("", "drive turn = drive_angle(crank, table(t, [(0s, 0deg), (1s, 90deg), (2s, 360deg)], hold));"),
+        crank("", &format!("param length: Length = 30mm; {DRIVE} {coupled}")),
+        heavy(DRIVE),
+        heavy(&format!("slice {DRIVE} {coupled}")),
+        heavy("freedom turn = crank.angle;"),
+        heavy(&format!("freedom turn = crank.angle; {coupled}")),
+        heavy(&format!("freedom turn = crank.angle; {coupled} slice force push = {{ at slide.B: (1N, 0N); }};")),
+    ]
+}
+
+/// Functions and constants of the mechanism itself.
+fn names(declaration: &str) -> BTreeSet<String> {
+    let tokens: TokenStream = declaration.parse().expect("tokens");
+    let file: syn::File = syn::parse2(reuleaux_compiler::mechanism(tokens)).expect("Rust");
+    let mut names = BTreeSet::new();
+    for item in &file.items {
+        let Item::Impl(block) = item else { continue };
+        let Type::Path(of) = &*block.self_ty else { continue };
+        if block.trait_.is_some() || of.path.segments.last().is_none_or(|last| last.ident != "Crank") {
+            continue;
+        }
+        names.extend(block.items.iter().filter_map(|item| match item {
+            ImplItem::Fn(function) => Some(function.sig.ident.to_string()),
+            ImplItem::Const(constant) => Some(constant.ident.to_string()),
+            _ => None,
+        }));
+    }
+    names
+}
+
+/// What is said of a mechanism with an output of this name.
+fn said(declaration: &str, output: &str) -> Vec<String> {
+    let end = declaration.rfind('}').expect("braces");
+    let with_output = format!("{} output {output} = crank.A; }}", &declaration[..end]);
+    let refusals = reuleaux_compiler::compile(with_output.parse().expect("tokens")).err().unwrap_or_default();
+    refusals.iter().map(|refusal| refusal.fact.to_string()).collect()
+}
+
+#[test]
+fn no_output_has_the_name_of_a_generated_function() {
+    let mut wrong = Vec::new();
+    for declaration in declarations() {
+        let names = names(&declaration);
+        assert!(names.contains("phi"), "nothing is found in {declaration}");
+        for name in names.iter().filter(|name| !["tip", "turned"].contains(&name.as_str())) {
+            let said = said(&declaration, name);
+            let beginning = format!("an output cannot be called `{name}`: a generated ");
+            if !matches!(said.as_slice(), [only] if only.starts_with(&beginning)) {
+                wrong.push(format!("{name}: {said:?} in {declaration}"));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
+}
