@@ -126,8 +126,10 @@ fn continued(tree: &ast::Mechanism, tokens: TokenStream, known: TokenStream, mut
         return export::resume(missing, &known, &tokens);
     }
     let definitions = definitions(known, &mut diag);
-    let unused = diag::of_unused(&hints::unused(tree, tokens));
-    match rooms(tree, definitions, &mut diag) {
+    let compiled = rooms(tree, definitions, &mut diag);
+    let doubts = compiled.as_ref().map_or(&[][..], |compiled| &compiled.model.doubts);
+    let unused = diag::of_unused(&hints::unused(tree, tokens, doubts));
+    match compiled {
         Some(Compiled { model, system, assembly, motion, plan, picture, .. }) => {
             let tokens = emit::emit(&model, &system, &assembly, &motion, &plan, &picture);
             let unwritten = expansion::write(&model.name.to_string(), &tokens);
@@ -152,7 +154,8 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
     if !diag.is_clean() {
         return None;
     }
-    let model = resolve::resolve(tree, definitions, diag)?;
+    let mut model = resolve::resolve(tree, definitions, diag)?;
+    model.doubts.extend(hints::bare_angles(tree));
     // Every name is an id, every quantity has a dimension.
     let doubts = model.doubts.clone();
     let compiled = after_names(model, diag);

@@ -41,7 +41,9 @@ macro_rules! codes {
 codes! {
     // Grammar.
     E0001: Grammar::Syntax Grammar::Expected Grammar::Unnamed Motion::EquationWithoutBraces Motion::RateBeforeStart
-        Motion::PlaceWithoutAt Motion::StartWithEquals Motion::FreedomWithoutName Grammar::OneEqualsSign;
+        Motion::PlaceWithoutAt Motion::StartWithEquals Motion::FreedomWithoutName Grammar::OneEqualsSign
+        Grammar::HashComment Grammar::CommaAtEnd Grammar::DecimalComma Grammar::OutputWithoutName Grammar::OutputWithDimension
+        Grammar::TwoConditions Grammar::ComparisonOutside Grammar::StraySemicolon;
     E0002: Grammar::NotANumber;
     E0003: Grammar::TooDeep Grammar::TooLong Grammar::LongChain Grammar::PartsTooDeep;
     E0004: Grammar::Keyword;
@@ -50,9 +52,9 @@ codes! {
     E0007: Grammar::UnknownItem;
     E0008: Grammar::UnknownBodyItem;
     E0009: Motion::InertiaOfNumbers Motion::InertiaOfVector Grammar::WithoutParentheses Value::NotTwoComponents Value::NotThreeComponents;
-    E0010: Grammar::DoubleStar Grammar::MethodCall;
+    E0010: Grammar::DoubleStar Grammar::MethodCall Grammar::RustConstant;
     E0011: Grammar::PathOfConstraint;
-    E0012: Grammar::SpaceBeforeUnit;
+    E0012: Grammar::SpaceBeforeUnit Grammar::UnitRaised;
     E0013: Grammar::ExponentTooLarge;
     E0014: Grammar::OnlyAtTheTop Grammar::StartInLoop;
     E0015: Grammar::ClosingWord Grammar::AllowedWord Grammar::AttributeTwice Grammar::SecondTask;
@@ -90,7 +92,7 @@ codes! {
     E0302: Value::WrongArgument Value::WrongDefault Motion::JointWithoutValue Arity::OtherOrder Arity::FunctionOrder;
     E0303: Value::WrongArgumentDimension;
     E0304: Value::Unlike Value::NotARate;
-    E0305: Value::WrongDimension Value::OfFunction Value::NotALength Motion::RateForStart Motion::StartForRate;
+    E0305: Value::WrongDimension Value::NotAnEnergy Value::OfFunction Value::NotALength Motion::RateForStart Motion::StartForRate;
     E0306: Value::CannotEquate Value::CannotCompare Value::OrderOfBodies;
     E0307: Value::FunctionTakes;
     E0308: Value::VectorAndNumber;

@@ -89,6 +89,10 @@ impl fmt::Display for Doubt {
                 write!(f, "`{number}` has no unit: it is {number} m, where no other length exceeds {longest}")?;
                 write!(f, "\nhelp: write `{number}mm`, or `{number}m` if it is meant")
             }
+            Doubt::BareAngle { function, number } => {
+                write!(f, "`{number}` has no unit: it is {number} rad")?;
+                write!(f, "\nhelp: write `{function}({number}deg)`, or `{function}({number}rad)` if it is meant")
+            }
             Doubt::MotionEnds(fact) => write!(f, "{fact}"),
         }
     }

@@ -28,6 +28,7 @@ pub(crate) use suggest::{nearest, nearest_unit, usual_dimension};
 pub(crate) use warning::of_unused;
 pub use warning::{Doubt, Warning};
 
+use crate::quantity::Dim;
 use proc_macro2::{Ident, Span, TokenStream};
 
 /// Source range of a fact: from its first token to its last.
@@ -136,6 +137,17 @@ impl Diag {
                 refusal.fact = Fact::Doubtful { fact: Box::new(refusal.fact.clone()), doubt: Box::new(doubt.clone()) };
             }
         }
+    }
+
+    /// Says of an energy, in errors after the first `known`, that it is one: a torque has the same unit.
+    pub(crate) fn of_energy<T>(&mut self, known: usize) -> Option<T> {
+        for refusal in &mut self.refusals[known..] {
+            let fact = if let Fact::InInstance { fact, .. } = &mut refusal.fact { fact } else { &mut refusal.fact };
+            if let Fact::Value(ValueFact::WrongDimension { wanted: Dim::TORQUE, found }) = *fact {
+                *fact = ValueFact::NotAnEnergy { found }.into();
+            }
+        }
+        None
     }
 
     /// Takes back all errors but the first `kept`, where a single one is to say it better.

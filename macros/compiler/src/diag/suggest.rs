@@ -7,7 +7,7 @@ const LONGEST: usize = 60;
 
 /// Words of the language with their synonyms elsewhere.
 const SYNONYMS: [(&str, &[&str]); 50] = [
-    ("body", &["link", "bar", "rigid", "member"]),
+    ("body", &["link", "bar", "rigid", "member", "bodie"]),
     ("ground", &["frame", "base", "world", "fixed"]),
     ("param", &["parameter", "var", "variable"]),
     ("input", &["command", "setpoint", "signal"]),

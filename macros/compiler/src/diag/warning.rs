@@ -56,6 +56,13 @@ pub enum Doubt {
         /// The longest length with a unit.
         longest: String,
     },
+    /// A sine, a cosine or a tangent of a number without a unit that is more than a turn in radians.
+    BareAngle {
+        /// `sin`, `cos` or `tan`.
+        function: String,
+        /// The number as written.
+        number: String,
+    },
     /// The motion ends before it has repeated itself as a whole.
     MotionEnds(Box<Fact>),
 }
@@ -66,6 +73,7 @@ impl Warning {
         let name = match self.doubt {
             Doubt::FarStart { .. } | Doubt::FarOrientation { .. } => "far_start",
             Doubt::BareLength { .. } => "bare_length",
+            Doubt::BareAngle { .. } => "bare_angle",
             Doubt::MotionEnds(_) => "motion_ends",
         };
         let (name, words) = (Ident::new(name, self.range.first), self.doubt.to_string());

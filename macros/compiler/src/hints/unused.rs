@@ -3,21 +3,28 @@
 //! Parameters, inputs, `let`s and functions act through equations, points and outputs alone, so that one that is written nowhere else
 //! changes nothing. A point or an axis may be read from Rust and is drawn in pictures, so that nothing is said about those.
 
-use crate::syntax::ast::{Item, Mechanism};
+use crate::diag::{Doubt, Warning};
+use crate::syntax::ast::{Expression, ExpressionKind, Item, Mechanism};
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use std::collections::BTreeMap;
 
 /// The names of parameters, inputs, `let`s and functions that are written once, where they are declared. `tokens`: given, all of the
-/// mechanism.
+/// mechanism; `doubts`: given, what is doubtful about it.
 ///
-/// A word that is written again with another meaning counts as a use.
-pub(crate) fn unused(tree: &Mechanism, tokens: TokenStream) -> Vec<&Ident> {
+/// A word that is written again with another meaning counts as a use. Of a parameter whose default is doubtful one warning is enough.
+pub(crate) fn unused<'a>(tree: &'a Mechanism, tokens: TokenStream, doubts: &[Warning]) -> Vec<&'a Ident> {
+    let is_doubtful = |default: &Expression| {
+        let number = |doubt: &Warning| if let Doubt::BareLength { number, .. } = &doubt.doubt { Some(number.clone()) } else { None };
+        matches!(&default.kind, ExpressionKind::Number { digits, unit } if unit.is_empty()
+            && doubts.iter().filter_map(number).any(|number| number == *digits))
+    };
     let mut written = BTreeMap::new();
     count(tokens, &mut written);
     let mut names = Vec::new();
     let mut pending: Vec<&Item> = tree.items.iter().rev().collect();
     while let Some(item) = pending.pop() {
         match item {
+            Item::Parameter(parameter) if is_doubtful(&parameter.default) => {}
             Item::Parameter(parameter) | Item::Input(parameter) => names.push(&parameter.name),
             Item::Let(binding) => names.push(&binding.name),
             Item::Function(function) => names.push(&function.name),

@@ -51,7 +51,8 @@ impl Elaborator<'_> {
 
     /// A potential energy: a function of positions, whose force is its derivative.
     pub(super) fn energy(&mut self, value: &ast::Expression, scope: &Scope) -> Option<()> {
-        let energy = self.scalar_of(value, Dim::TORQUE, scope)?.expr;
+        let known = self.diag.refusals().len();
+        let energy = self.scalar_of(value, Dim::TORQUE, scope).or_else(|| self.diag.of_energy(known))?.expr;
         self.energies.push(energy);
         if self.has_speeds(energy) {
             return self.refuse(value.range, ValueFact::EnergyOfVelocities);

@@ -152,7 +152,7 @@ impl Elaborator<'_> {
             }
         }
         let coordinates = ambient.coordinates().iter().zip(starts).map(|(role, start)| BodyCoordinate { role: *role, start }).collect();
-        let masses = self.mass(frame, &scope);
+        let masses = self.mass(frame, &Scope::of(context).timeless("the mass of a body"));
         Body { name: name.clone(), first: 0, coordinates, masses }
     }
 }

@@ -1,12 +1,12 @@
 //! Parses definitions of constraints and their statements.
 
-use super::ast::{Added, Applied, Condition, Definition, Definitions, Docs, Export, Formal, FormalKind, Statement};
+use super::ast::{Added, Applied, Condition, Definition, Definitions, Docs, Export, ExpressionKind, Formal, FormalKind, Statement};
 use super::dimension::dimension;
 use super::expression::{expression, relation};
 use super::item::{ambient, binding, mass};
 use super::tokens::{
-    Parsed, arrow, attributes, block, comma, docs, equals, expected, keyword, name, parentheses, report, semicolon, skip_item, visibility,
-    wrong,
+    Parsed, arrow, attributes, block, comma, docs, equals, expected, keyword, name, parentheses, report, semicolon, skip_item,
+    statement_text, visibility, wrong,
 };
 use crate::diag::{Diag, GrammarFact, MotionFact};
 use proc_macro2::{Ident, TokenStream, TokenTree};
@@ -259,7 +259,12 @@ fn applied(input: ParseStream, is_torque: bool) -> Parsed<Applied> {
         return expected(input, if is_torque { "`:` and the torque" } else { "`:` and the force" });
     }
     input.parse::<Token![:]>()?;
+    let before = input.fork();
     let value = expression(input)?;
+    if input.peek(Token![,]) && !matches!(value.kind, ExpressionKind::Tuple(..)) {
+        let (what, instead) = (if is_torque { "a torque" } else { "a force" }, format!("({})", statement_text(&before)?));
+        return wrong(value.range, GrammarFact::WithoutParentheses { what, instead });
+    }
     semicolon(input)?;
     Ok(Applied { is_torque, target, value })
 }

@@ -99,9 +99,18 @@ fn sign(input: ParseStream, room: u16) -> Parsed<Expression> {
 }
 
 fn power(input: ParseStream, room: u16) -> Parsed<Expression> {
+    let is_literal = input.peek(Lit);
     let base = postfix(input, room)?;
     if !input.peek(Token![^]) {
         return Ok(base);
+    }
+    if let (true, ExpressionKind::Number { digits, unit }, Some(exponent)) = (is_literal, &base.kind, raised(input)) {
+        let whole = format!("{unit}{exponent}");
+        // `4m^2` may be a square; a unit of a rate is one word.
+        if unit.contains('_') && crate::quantity::unit(&whole).is_some() {
+            let (written, squared) = (format!("{digits}{unit}^{exponent}"), format!("({digits}{unit})^{exponent}"));
+            return wrong(base.range, GrammarFact::UnitRaised { written, unit: format!("{digits}{whole}"), squared });
+        }
     }
     let caret = input.parse::<Token![^]>()?.spans[0];
     let exponent = sign(input, deeper(room, caret.into())?)?;
@@ -174,6 +183,12 @@ fn atom(input: ParseStream, room: u16) -> Parsed<Expression> {
         let path = path(input)?;
         if input.peek(token::Paren) {
             return call(input, path, room);
+        }
+        let constants = [("PI", "pi"), ("TAU", "2 * pi"), ("E", "exp(1)")];
+        let constant = constants.iter().find(|(name, _)| path.name.is_none() && path.last == name);
+        if let Some((_, instead)) = constant {
+            let written = path.tokens.to_string().replace(' ', "");
+            return wrong(path.range, GrammarFact::RustConstant { written, instead });
         }
         let range = path.range;
         return node(ExpressionKind::Path(path), range);
@@ -258,11 +273,21 @@ fn list(content: ParseStream, room: u16) -> Parsed<Vec<Expression>> {
     Ok(items)
 }
 
+/// The whole number after `^`.
+fn raised(input: ParseStream) -> Option<String> {
+    let ahead = input.fork();
+    ahead.parse::<Token![^]>().ok()?;
+    Some(ahead.parse::<syn::LitInt>().ok()?.to_string())
+}
+
 fn choice(input: ParseStream, room: u16) -> Parsed<Expression> {
     let first: Span = input.parse::<Token![if]>()?.span;
     let lhs = sum(input, room)?;
     let relation = relation(input)?;
     let rhs = sum(input, room)?;
+    if input.peek(Token![&&]) || input.peek(Token![||]) {
+        return wrong(input.span(), GrammarFact::TwoConditions);
+    }
     let then = braced(input, room)?;
     if !input.peek(Token![else]) {
         return expected(input, "`else { value }`");

@@ -15,7 +15,7 @@ use super::tokens::{
     Parsed, arrow, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, mentions_masses, name, name_before_block,
     parentheses, path, report, semicolon, skip_item, skip_statement, skip_to_block, statement_text, visibility, wrong,
 };
-use crate::diag::{ArrayFact, Diag, GrammarFact, Home, Range, ValueFact, home};
+use crate::diag::{ArrayFact, Diag, GrammarFact, Home, Range, ValueFact, Word, home};
 use crate::quantity::Ambient;
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
@@ -155,6 +155,9 @@ pub(super) fn items(content: ParseStream, place: ItemContext, diag: &mut Diag) -
 
 fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item> {
     let (docs, others) = attributes(input)?;
+    if input.peek(Token![;]) {
+        return wrong(input.span(), GrammarFact::StraySemicolon);
+    }
     let Some(keyword) = keyword(input) else {
         return expected(
             input,
@@ -211,6 +214,17 @@ fn unknown_item<T>(input: ParseStream, keyword: &Ident, ambient: Ambient) -> Par
     let rest = input.fork();
     Ident::parse_any(&rest)?;
     let name = rest.parse::<Ident>().ok().map(|name| name.to_string());
+    // A call of a constraint or a force lacks the keyword, and its name or `=`.
+    let is_call = if name.is_some() { rest.peek(Token![=]) && rest.peek2(token::Paren) } else { rest.peek(token::Paren) };
+    if is_call {
+        let kind = match home(&word, ambient) {
+            _ if word.starts_with("drive") => Word::Drive,
+            Some(Home::Drive(_)) => Word::Drive,
+            Some(Home::Force(_)) => Word::Force,
+            _ => Word::Joint,
+        };
+        return wrong(keyword, GrammarFact::Unnamed { word: kind, kind: word });
+    }
     let is_frame = ["fixed", "frame", "base", "world"].contains(&word.as_str());
     let home = match home(&word, ambient) {
         Some(_) if rest.peek(token::Brace) => (!is_frame).then_some(Home::Body),
@@ -462,7 +476,12 @@ pub(super) fn marks(input: ParseStream, marks: &mut Marks, place: ItemContext) -
         }
         "for" => marks.loops.push(Shared::new(repeated_marks(input)?)),
         "start" => return wrong(&keyword, GrammarFact::StartInLoop),
-        other => return wrong(&keyword, GrammarFact::UnknownBodyItem { word: other.to_owned() }),
+        other => {
+            let word = other.to_owned();
+            let is_point =
+                input.peek2(token::Paren) || [input.peek2(Token![=]), input.peek2(Token![:])] != [false; 2] && input.peek3(token::Paren);
+            return wrong(&keyword, GrammarFact::UnknownBodyItem { word, is_point });
+        }
     }
     Ok(())
 }

@@ -3,8 +3,11 @@
 use super::ast::{Docs, OutputItem};
 use super::expression::{declared, expression};
 
-use super::tokens::{Parsed, equals, expected, keyword, semicolon};
+use super::dimension::dimension;
+use super::tokens::{Parsed, equals, expected, keyword, semicolon, wrong};
+use crate::diag::GrammarFact;
 use proc_macro2::Ident;
+use syn::Token;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 
@@ -17,7 +20,24 @@ pub(super) fn output(input: ParseStream, docs: Docs) -> Parsed<OutputItem> {
         }
         Ident::parse_any(input)?;
     }
+    let before = input.fork();
+    if !input.peek(syn::Ident) && !input.peek(Token![_]) && expression(&before.fork()).is_ok() {
+        let value = expression(&before)?;
+        return wrong(value.range, GrammarFact::OutputWithoutName { value: value.to_string() });
+    }
     let (name, indices) = declared(input, "the name of the output")?;
+    if input.peek(Token![:]) {
+        let colon = input.span();
+        input.parse::<Token![:]>()?;
+        return wrong(
+            dimension(input).map_or(colon.into(), |dimension| dimension.range),
+            GrammarFact::OutputWithDimension { name: name.to_string() },
+        );
+    }
+    if input.peek(Token![.]) || input.peek(Token![;]) {
+        let value = expression(&before)?;
+        return wrong(value.range, GrammarFact::OutputWithoutName { value: value.to_string() });
+    }
     equals(input)?;
     let (value, jerk) = (expression(input)?, with_jerk(input)?);
     semicolon(input)?;

@@ -4,7 +4,7 @@ use super::arguments::arguments;
 use super::ast::{Dimension, ParameterItem, PartItem, Shared};
 use super::ast::{Docs, Expression, ExpressionKind, FrameItem, FreedomItem, Item, JointBody, JointItem, Marks, OutputItem};
 use super::expression::{expression, indices};
-use super::tokens::{attributes, name};
+use super::tokens::{attributes, is_item, name};
 use crate::diag::{Home, Range, home, nearest};
 use crate::quantity::Ambient;
 use proc_macro2::{Ident, TokenStream, TokenTree};
@@ -22,7 +22,12 @@ const LONGEST: usize = 100;
 
 /// The item with its keyword, its name, its indices, and as much of the rest as can be read.
 pub(super) fn salvaged(input: ParseStream, ambient: Ambient) -> Option<Item> {
-    attributes(input).ok()?;
+    if attributes(input).is_err() {
+        // After a comment of another language the next item begins.
+        while !input.is_empty() && !is_item(input) {
+            input.parse::<TokenTree>().ok()?;
+        }
+    }
     let mut word = Ident::parse_any(input).ok()?;
     let is_slice = word == "slice";
     if (is_slice || word == "redundant") && input.peek2(syn::Ident) {

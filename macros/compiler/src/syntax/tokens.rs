@@ -132,6 +132,13 @@ pub(super) fn arrow(input: ParseStream) -> Parsed<Dimension> {
 
 /// `;` at the end of an item.
 pub(super) fn semicolon(input: ParseStream) -> Parsed<()> {
+    if input.peek(Token![,]) {
+        let decimals = input.peek2(syn::Lit) && input.peek3(Token![;]);
+        return wrong(input.span(), if decimals { GrammarFact::DecimalComma } else { GrammarFact::CommaAtEnd });
+    }
+    if input.peek(Token![<]) || input.peek(Token![>]) || input.peek(Token![<=]) || input.peek(Token![>=]) || input.peek(Token![?]) {
+        return wrong(input.span(), GrammarFact::ComparisonOutside);
+    }
     if !input.peek(Token![;]) {
         let what = if input.cursor().punct().is_some() { "an operator or `;`" } else { "`;`" };
         return expected(input, what);
@@ -225,7 +232,7 @@ pub(super) fn attributes(input: ParseStream) -> Parsed<(Docs, Vec<Attribute>)> {
     while input.peek(Token![#]) {
         let pound = input.parse::<Token![#]>()?;
         if !input.peek(token::Bracket) {
-            return expected(input, "`[`");
+            return wrong(pound.span, GrammarFact::HashComment);
         }
         let group: Group = input.parse()?;
         let (name, text, rest) = syn::parse::Parser::parse2(attribute, group.stream())?;

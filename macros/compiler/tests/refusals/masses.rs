@@ -32,6 +32,9 @@ crate::refusals! {
     mechanism load_alone_without_masses: "mechanism M { body arm { point P = (1m, 0m); } slice joint «hinge» = revolute(ground.position, arm.position); drive d = drive_angle(arm, 60rpm * t); }" => "`hinge` has no load that could be computed alone: no body has a mass, and no force acts\nhelp: write `mass = …;` in a body, or take `slice` away";
     mechanism slice_of_a_freedom: "mechanism M { body arm { mass = 1kg; inertia = 1kgm2; } joint hinge = revolute(ground.position, arm.position); slice «freedom» s = arm.angle; }" => "expected `output`, `joint`, `drive` or `force` after `slice`, found `freedom`";
     constraint force_without_forces: "force «f»(P: Point, k: Stiffness) { let a = k * P.x; }" => "`f` pushes nothing and turns nothing\nhelp: write `at P: (0N, -5N);` for a force at a point, `on body: 2Nm;` for a torque";
+    mechanism mass_that_changes: "mechanism M { body b { mass = 1kg * («t» / 1s); inertia = 1kgm2; } joint o = revolute(ground.position, b.position); freedom s = b.angle; }" => "the mass of a body does not change with time: `t` cannot be used in it";
+    mechanism mass_that_is_a_length: "mechanism M { body b { mass = «1m»; center = (1m, 0m); inertia = disk(1m); } joint o = revolute(ground.position, b.position); freedom s = b.angle; }" => "expected a mass (kg), found a length (m)";
+    mechanism energy_that_is_a_force: "mechanism M { body b { mass = 1kg; inertia = 1kgm2; } joint o = revolute(ground.position, b.position); freedom s = b.angle; energy e = «3N_m * b.x»; }" => "an energy is in J, found a force (N)\nhelp: a spring of stiffness `k` has `0.5 * k * s^2`, a constant force `F` has `-F * s` along `s`";
 }
 
 /// True if a mechanism compiles.

@@ -23,7 +23,7 @@ crate::refusals! {
     item own_function_is_mistyped: "output b = «lif»(crank.angle);" => "no function is called `lif`\nhelp: did you mean `lift`?";
     item constraint_as_a_function: "output b = «revolute»(ground.O, crank.O);" => "`revolute` is a constraint, not a function\nhelp: write `joint name = revolute(…);`";
     item number_as_a_function: "output b = «length»(2);" => "expected a function, found a number\nhelp: a product is written with `*`";
-    item unit_is_mistyped: "param a: Length = «100furlong»;" => "no unit is called `furlong`\nnote: there are `m`, `cm`, `mm`, `um`, `km`, `in`, `ft`, `rad`, `mrad`, `deg`, `turn`, `s`, `ms`, `us`, `min`, `h`, `kg`, `g`, `rpm`, `rad_s`, `deg_s`, `rad_s2`, `deg_s2`, `m_s`, `mm_s`, `m_s2`, `mm_s2`, `mm2`, `m2`, `N`, `kN`, `Nm`, `Nmm`, `kgm2`, `N_m`, `N_mm`, `kN_m`, `Ns_m`, `Nm_rad`, `Nms`, `Nms_rad`, `W`, `kW`, `Pa`, `kPa`, `bar` and `MPa`";
+    item unit_is_mistyped: "param a: Length = «100furlong»;" => "no unit is called `furlong`\nnote: there are `m`, `cm`, `mm`, `um`, `km`, `in`, `ft`, `rad`, `mrad`, `deg`, `turn`, `s`, `ms`, `us`, `min`, `h`, `kg`, `g`, `rpm`, `rad_s`, `deg_s`, `rad_s2`, `deg_s2`, `m_s`, `mm_s`, `m_s2`, `mm_s2`, `mm2`, `m2`, `N`, `kN`, `Nm`, `Nmm`, `J`, `mJ`, `kJ`, `kgm2`, `N_m`, `N_mm`, `kN_m`, `Ns_m`, `Nm_rad`, `Nms`, `Nms_rad`, `W`, `kW`, `Pa`, `kPa`, `bar` and `MPa`";
     item unit_of_elsewhere: "body b { inertia = «3000kgmm2»; }" => "no unit is called `kgmm2`\nhelp: `1kgmm2` is `0.000001kgm2`";
     item unit_with_another_prefix: "param a: Torque = «5kNm»;" => "no unit is called `kNm`\nhelp: `1kNm` is `1000Nm`";
     item unit_of_volume: "param a: Length = «5mm3» / 1mm2;" => "no unit is called `mm3`\nhelp: `1mm3` is `1mm2 * 1mm`";

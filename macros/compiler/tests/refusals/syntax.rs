@@ -31,7 +31,7 @@ crate::refusals! {
     item choice_without_else: "output b = if length < 1 { 1 }«;»" => "expected `else { value }`, found `;`";
     item choice_without_relation: "output b = if length «{» 1 } else { 2 };" => "expected a relation such as `<` or `!=`, found `{`";
     item pair_without_parentheses: "body b { point P = «0mm», 0mm; }" => "the coordinates of a point stand in parentheses\nhelp: write `(0mm, 0mm)`";
-    item comma_after_a_point: "body b { point P = (0mm, 0mm)«,» point Q = (0mm, 1mm); }" => "expected an operator or `;`, found `,`";
+    item comma_after_a_point: "body b { point P = (0mm, 0mm)«,» point Q = (0mm, 1mm); }" => "expected `;`, found `,`\nhelp: `;` ends each item, `,` stands between arguments";
     item empty_parentheses: "output b = «()»;" => "expected an expression, found `()`";
     item field_is_no_number: "output b = crank.«5»;" => "expected a name after `.`, found `5`";
     item function_of_two: "function f(a: Angle«,» b: Angle) -> Length = 1mm;" => "a function here has one argument\nhelp: what else it depends on is a `param` or a `let`, which it sees";
@@ -58,6 +58,25 @@ crate::refusals! {
     mechanism nothing_follows: "#[equations_only] mechanism Crank { body crank {} joint a = { crank.x == 0; } } «mechanism» Rocker {}" => "nothing may follow the mechanism\nhelp: write one `mechanism!` for each mechanism";
     mechanism option_is_unknown: "#[«equation_only»] mechanism Crank { body crank {} }" => "`#[equation_only]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`";
     mechanism option_twice: "#[serde] #[serde(default)] #[«serde»] mechanism Crank { body crank {} }" => "`#[serde]` stands here twice\nhelp: take one of them away";
+    item comment_of_another_language: "«#» the slider\noutput q = crank.x;" => "`#` begins an attribute, such as `#[picture]`\nhelp: a comment begins with `//`";
+    item comma_after_an_item: "let far = 3mm«,» output q = crank.x + far;" => "expected `;`, found `,`\nhelp: `;` ends each item, `,` stands between arguments";
+    item comma_between_points: "body b { point P = (0mm, 0mm)«,» point Q = (1mm, 0mm); }" => "expected `;`, found `,`\nhelp: `;` ends each item, `,` stands between arguments";
+    item decimal_comma: "let far = 60«,»5mm;" => "expected `;`, found `,`\nhelp: write a decimal point, as in `60.5mm`";
+    item output_without_a_name: "output «crank.A.x»;" => "an output has a name of its own\nhelp: write `output name = crank.A.x;`";
+    item output_of_an_expression_without_a_name: "output «2 * crank.x»;" => "an output has a name of its own\nhelp: write `output name = 2 * crank.x;`";
+    item output_with_a_dimension: "output q: «Angle» = crank.angle;" => "an output has the dimension of its value\nhelp: write `output q = …;`";
+    item two_conditions: "let a = if length > 1mm «&»& speed > 1rpm { 1mm } else { 2mm };" => "a choice has one condition\nhelp: choose twice, as in `if a < b { if c < d { x } else { y } } else { y }`";
+    item choice_of_another_language: "let a = length «>» 1mm ? 1mm : 2mm;" => "a comparison is no value\nhelp: write `if a < b { x } else { y }` for a choice";
+    item semicolon_after_a_body: "body b { }«;»" => "this `;` ends nothing\nhelp: take it away";
+    item drive_without_its_keyword: "«drive_angle»(crank, speed * t);" => "a drive has a name of its own\nhelp: write `drive name = drive_angle(…);`";
+    item joint_without_its_keyword: "«revolute»(crank.A, ram.B);" => "a joint has a name of its own\nhelp: write `joint name = revolute(…);`";
+    item force_without_its_keyword: "«spring» tie = (crank.A, ram.B);" => "a force has a name of its own\nhelp: write `force name = spring(…);`";
+    item point_without_its_keyword: "body b { «B» = (1mm, 2mm); }" => "`B` is no item of a body\nhelp: write `point B = (…);` for a point";
+    item point_like_a_field: "body b { «B»: (1mm, 2mm); }" => "`B` is no item of a body\nhelp: write `point B = (…);` for a point";
+    item force_without_parentheses: "force f = { at crank.A: «-100N», 0N; }" => "the coordinates of a force stand in parentheses\nhelp: write `(-100N, 0N)`";
+    item unit_raised_to_a_power: "let a = «3m_s»^2;" => "`3m_s^2` raises the number with its unit to a power\nhelp: the unit is `3m_s2`; a square is `(3m_s)^2`";
+    item constant_of_rust: "drive a = drive_angle(ram, «std::f64::consts::PI» * 1rad);" => "`std::f64::consts::PI` is a constant of Rust\nhelp: write `pi`";
+    item body_misspelt: "«bodie» b { }" => "`bodie` is no item of a mechanism\nhelp: did you mean `body`?\nnote: items are `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` and `use`";
 }
 
 /// Deeper than realistic, but not deep enough to exhaust the stack.

@@ -126,7 +126,37 @@ impl Display for GrammarFact {
                 write!(f, "`{word}` is no item of a mechanism{}", did_you_mean(&near))?;
                 write!(f, "\nnote: items are {}", listed(ITEMS.into_iter()))
             }
-            GrammarFact::UnknownBodyItem { word } => {
+            GrammarFact::HashComment => {
+                write!(f, "`#` begins an attribute, such as `#[picture]`\nhelp: a comment begins with `//`")
+            }
+            GrammarFact::CommaAtEnd => write!(f, "expected `;`, found `,`\nhelp: `;` ends each item, `,` stands between arguments"),
+            GrammarFact::DecimalComma => write!(f, "expected `;`, found `,`\nhelp: write a decimal point, as in `60.5mm`"),
+            GrammarFact::OutputWithoutName { value } => {
+                write!(f, "an output has a name of its own\nhelp: write `output name = {};`", shortened(value))
+            }
+            GrammarFact::OutputWithDimension { name } => {
+                write!(f, "an output has the dimension of its value\nhelp: write `output {name} = …;`")
+            }
+            GrammarFact::TwoConditions => {
+                write!(
+                    f,
+                    "a choice has one condition\nhelp: choose twice, as in `if a < b {{ if c < d {{ x }} else {{ y }} }} else {{ y }}`"
+                )
+            }
+            GrammarFact::ComparisonOutside => {
+                write!(f, "a comparison is no value\nhelp: write `if a < b {{ x }} else {{ y }}` for a choice")
+            }
+            GrammarFact::StraySemicolon => write!(f, "this `;` ends nothing\nhelp: take it away"),
+            GrammarFact::UnitRaised { written, unit, squared } => {
+                write!(f, "`{written}` raises the number with its unit to a power\nhelp: the unit is `{unit}`; a square is `{squared}`")
+            }
+            GrammarFact::RustConstant { written, instead } => {
+                write!(f, "`{written}` is a constant of Rust\nhelp: write `{instead}`")
+            }
+            GrammarFact::UnknownBodyItem { word, is_point: true } => {
+                write!(f, "`{word}` is no item of a body\nhelp: write `point {word} = (…);` for a point")
+            }
+            GrammarFact::UnknownBodyItem { word, .. } => {
                 write!(f, "`{word}` is no item of a body")?;
                 if ITEMS.contains(&word.as_str()) {
                     return write!(f, "\nhelp: it stands in the mechanism: move it out of the body");

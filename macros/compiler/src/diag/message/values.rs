@@ -33,6 +33,10 @@ impl Display for ValueFact {
                 }
             }
             ValueFact::WrongDefault { wanted, found } => write!(f, "the parameter takes {wanted}, its default is {found}"),
+            ValueFact::NotAnEnergy { found } => {
+                write!(f, "an energy is in J, found {found}")?;
+                write!(f, "\nhelp: a spring of stiffness `k` has `0.5 * k * s^2`, a constant force `F` has `-F * s` along `s`")
+            }
             ValueFact::WrongDimension { wanted, found } => {
                 write!(f, "expected {wanted}, found {found}{}", remedy::of_dimension(*wanted, *found))
             }

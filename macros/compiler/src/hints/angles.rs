@@ -1,0 +1,76 @@
+//! Warnings about angles without a unit, which count as radians.
+
+use crate::diag::{Doubt, Warning};
+use crate::syntax::ast::{Expression, ExpressionKind, Item, JointBody, Mechanism, Statement};
+
+/// Warnings about sines, cosines and tangents of bare numbers that are probably degrees.
+pub(crate) fn bare_angles(tree: &Mechanism) -> Vec<Warning> {
+    let mut found = Vec::new();
+    of_items(&tree.items, &mut found);
+    found
+}
+
+fn of_items(items: &[Item], found: &mut Vec<Warning>) {
+    for item in items {
+        match item {
+            Item::Parameter(parameter) | Item::Input(parameter) => of(&parameter.default, found),
+            Item::Let(binding) => of(&binding.value, found),
+            Item::Function(function) => of(&function.value, found),
+            Item::Joint(joint) | Item::Force(joint) => of_joint(&joint.body, found),
+            Item::Output(output) => of(&output.value, found),
+            Item::Ground(frame) | Item::Body(frame) => {
+                frame.marks.single.iter().for_each(|mark| of(&mark.value, found));
+                frame.starts.iter().for_each(|start| of(&start.value, found));
+            }
+            Item::Part(part) => part.arguments.iter().for_each(|argument| of(&argument.value, found)),
+            Item::Component(component) => of_items(&component.items, found),
+            Item::For(repeated) => of_items(&repeated.items, found),
+            Item::Use(_) | Item::Gravity(_) | Item::Range(_) | Item::Refused(_) => {}
+        }
+    }
+}
+
+fn of_joint(body: &JointBody, found: &mut Vec<Warning>) {
+    match body {
+        JointBody::Of { arguments, .. } => arguments.iter().for_each(|argument| of(&argument.value, found)),
+        JointBody::Equations(statements) => statements.iter().for_each(|statement| match statement {
+            Statement::Let(binding) => of(&binding.value, found),
+            Statement::Equation(one, two) => [one, two].into_iter().for_each(|side| of(side, found)),
+            Statement::Apply(applied) => of(&applied.value, found),
+            Statement::Require(_) | Statement::Add(_) => {}
+        }),
+        JointBody::Freedom(freedom) => of(&freedom.value, found),
+        JointBody::Energy(value) | JointBody::Value(value) => of(value, found),
+    }
+}
+
+fn of(expr: &Expression, found: &mut Vec<Warning>) {
+    match &expr.kind {
+        ExpressionKind::Call(path, arguments) => {
+            let name = path.name.as_ref().map(ToString::to_string).filter(|name| ["sin", "cos", "tan"].contains(&name.as_str()));
+            if let (Some(function), [argument]) = (name, arguments.as_slice())
+                && let Some(number) = degrees(argument)
+            {
+                found.push(Warning { doubt: Doubt::BareAngle { function, number }, range: argument.range });
+            }
+            arguments.iter().for_each(|argument| of(argument, found));
+        }
+        ExpressionKind::Path(_) | ExpressionKind::Number { .. } => {}
+        ExpressionKind::Field(value, _) | ExpressionKind::Negative(value) => of(value, found),
+        ExpressionKind::Index(one, two) | ExpressionKind::Binary(_, one, two) => [one, two].into_iter().for_each(|side| of(side, found)),
+        ExpressionKind::Tuple(items) | ExpressionKind::List(items) => items.iter().for_each(|item| of(item, found)),
+        ExpressionKind::If { lhs, rhs, then, otherwise, .. } => [lhs, rhs, then, otherwise].into_iter().for_each(|part| of(part, found)),
+    }
+}
+
+/// A bare number of more than a turn in radians, as written: it is rather one of degrees.
+fn degrees(argument: &Expression) -> Option<String> {
+    match &argument.kind {
+        ExpressionKind::Negative(inner) => degrees(inner).map(|number| format!("-{number}")),
+        ExpressionKind::Number { digits, unit } if unit.is_empty() => {
+            let is_large = digits.parse::<f64>().is_ok_and(|value| value > std::f64::consts::TAU);
+            is_large.then(|| digits.clone())
+        }
+        _ => None,
+    }
+}
