@@ -1,5 +1,5 @@
-//! Coordinates that only equations of speeds determine keep their declared start values, or, if none is declared, those of a configuration
-//! nearby that satisfies the equations of positions.
+//! Coordinates that only equations of speeds determine keep their declared start values. One without a declared start keeps 0 if the
+//! mechanism closes there, and otherwise its value in a configuration nearby that satisfies the equations of positions.
 
 use super::rows::Row;
 use super::{Coordinate, Equation};
@@ -71,6 +71,9 @@ fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], equations: &[E
     let mut rows = PositionRows::new(arena, &known, equations, coordinates.len());
     let is_declared: Vec<bool> = coordinates.iter().map(|coordinate| is_declared(model, coordinate)).collect();
     let open = rows.open(&declared, &is_declared);
+    if rows.closed_near(&declared, &open).is_some() {
+        return (declared, open);
+    }
     let held: Vec<usize> = open.iter().copied().filter(|unknown| is_declared[*unknown]).collect();
     match rows.closed_near(&declared, &held) {
         // Declared values are kept, whether the others fit them or not.

@@ -427,6 +427,24 @@ fn coordinates_held_by_a_freedom_of_velocity_begin_where_the_mechanism_closes() 
     }
 }
 
+/// The angle of the steered wheel is not shared between the wheel and the car.
+#[test]
+fn coordinates_held_by_equations_of_velocities_begin_at_zero_where_they_can() {
+    let source = "#[integrated] mechanism Car {
+        body car { point front = (2m, 0m); axis ahead = (1, 0); }
+        body wheel { axis ahead = (1, 0); }
+        joint pivot = revolute(car.front, wheel.position);
+        joint rear = { cross(car.ahead, rate(car.position)) == 0m_s; }
+        joint front = { cross(wheel.ahead, rate(wheel.position)) == 0m_s; }
+        drive motor = { dot(car.ahead, rate(car.position)) == 1m_s; }
+        drive steering = drive_relative_angle(car, wheel, 20deg);
+    }";
+    let compiled = accepted(source);
+    let found = ["car.x", "car.y", "car.angle", "wheel.x", "wheel.y", "wheel.angle"].map(|name| start(&compiled, name));
+    let wanted = [0.0, 0.0, 0.0, 2.0, 0.0, 20.0_f64.to_radians()];
+    assert!(found.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-15), "{found:?}");
+}
+
 #[test]
 fn sines_of_bare_numbers_that_are_rather_degrees_are_doubtful() {
     let doubts = |factor: &str| {
