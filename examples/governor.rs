@@ -33,14 +33,17 @@ mechanism! {
         gravity = (0m_s2, 0m_s2, -9.81m_s2);
         ground { axis z = (0, 0, 1) from (1, 0, 0); }
         body spindle { axis z = (0, 0, 1) from (1, 0, 0);  axis y = (0, 1, 0) from (1, 0, 0); }
-        body left   { axis y = (0, 1, 0) from (1, 0, 0);  point ball = (0mm, 0mm, -arm);  mass = ball;  center = (0mm, 0mm, -arm);  start orientation = turn((0, 1, 0), 30deg); }
-        body right  { axis y = (0, 1, 0) from (1, 0, 0);  point ball = (0mm, 0mm, -arm);  mass = ball;  center = (0mm, 0mm, -arm);  start orientation = turn((0, 1, 0), -30deg); }
-        body sleeve { axis z = (0, 0, 1);  mass = load;  start position = (0mm, 0mm, -2 * arm * cos(30deg)); }
+        body left   { axis y = (0, 1, 0) from (1, 0, 0);  point ball = (0mm, 0mm, -arm);  mass = ball;  center = (0mm, 0mm, -arm); }
+        body right  { axis y = (0, 1, 0) from (1, 0, 0);  point ball = (0mm, 0mm, -arm);  mass = ball;  center = (0mm, 0mm, -arm); }
+        body sleeve { axis z = (0, 0, 1);  mass = load; }
 
         joint bearing = revolute(ground.position, ground.z, spindle.position, spindle.z);
         joint hinge = revolute(spindle.position, spindle.y, left.position, left.y);
         joint other = revolute(spindle.position, spindle.y, right.position, right.y);
         joint guide = translational(spindle.position, spindle.z, sleeve.position, sleeve.z);
+        start hinge.angle = 30deg;
+        start other.angle = -30deg;
+        start guide.displacement = -2 * arm * cos(30deg);
         joint rod = distance(left.ball, sleeve.position, arm);
         joint second_rod = distance(right.ball, sleeve.position, arm);
         force dashpot = damper(spindle.position, sleeve.position, damping: 30Ns_m);

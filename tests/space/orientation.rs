@@ -1,7 +1,7 @@
 //! A body whose whole orientation follows a law.
 
 use reuleaux::mechanism;
-use reuleaux::nalgebra::{UnitQuaternion, Vector3};
+use reuleaux::nalgebra::{UnitQuaternion, UnitVector3, Vector3};
 
 mechanism! {
     /// A platform on a ball joint that turns over, and a camera that is aimed from it.
@@ -47,6 +47,28 @@ mechanism! {
         body b { axis z = (0, 0, 1); }
         joint ball = spherical(ground.position, b.position);
         drive turn = drive_orientation(ground.z, b.z, roll: 0deg, pitch: 0deg, yaw: 180deg + 3rad_s * t);
+    }
+}
+
+mechanism! {
+    /// `Aimed` by equations of orientations, with a lens that is fixed askew in the camera.
+    pub mechanism Written in space {
+        body platform { point mast = (1m, 0.5m, 0.2m); }
+        body camera {}
+        body lens { axis view = (1, 0, 0); }
+        joint ball = spherical(ground.position, platform.position);
+        joint mast = spherical(platform.mast, camera.position);
+        joint seat = spherical(camera.position, lens.position);
+        joint thread = { lens.orientation == camera.orientation * turn((1, 2, -2), 40deg) * turn((0, 1, 0), 90deg); }
+        drive rolling = {
+            platform.orientation ==
+                turn((0, 0, 1), 170deg - 2rad_s * t) * turn((0, 1, 0), 1rad_s * t) * turn((1, 0, 0), 20deg * sin(3rad_s * t));
+        }
+        drive aim = {
+            platform.orientation * turn((0, 0, 1), 60deg + 0.5rad_s * t) * turn((0, 1, 0), 30deg * sin(2rad_s * t)) == camera.orientation;
+        }
+        output view = lens.orientation * (3, 0, 4);
+        output back = turn((0, 0, 1), -1rad_s * t) * lens.view;
     }
 }
 
@@ -132,5 +154,32 @@ fn half_a_turn_is_one_assembly() {
         let b = Opposite::default().solve(t).expect("it turns").b();
         let wanted = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), std::f64::consts::PI + 3.0 * t);
         assert!(off(b.orientation(), wanted) < 1e-14 && (b.angular_velocity - Vector3::z() * 3.0).norm() < 1e-14);
+    }
+}
+
+#[test]
+fn orientations_are_equated_and_turn_vectors() {
+    let (aimed, written) = (Aimed::default(), Written::default());
+    let seat = UnitQuaternion::from_axis_angle(&UnitVector3::new_normalize(Vector3::new(1.0, 2.0, -2.0)), 40_f64.to_radians())
+        * UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 90_f64.to_radians());
+    for step in 0..200 {
+        let t = f64::from(step) / 25.0;
+        let (wanted, state) = (aimed.solve(t).expect("a state"), written.solve(t).expect("a state"));
+        for (found, wanted) in [(state.platform(), wanted.platform()), (state.camera(), wanted.camera())] {
+            assert!(off(found.orientation(), wanted.orientation()) < 8e-15, "{:e}", off(found.orientation(), wanted.orientation()));
+            assert!((found.angular_velocity - wanted.angular_velocity).norm() < 4e-14);
+            assert!((found.angular_acceleration - wanted.angular_acceleration).norm() < 4e-13);
+        }
+        let (camera, lens) = (wanted.camera(), state.lens());
+        let orientation = camera.orientation() * seat;
+        assert!(off(lens.orientation(), orientation) < 8e-15, "{:e}", off(lens.orientation(), orientation));
+        let (view, rate) = (orientation * Vector3::new(3.0, 0.0, 4.0), camera.angular_velocity);
+        let found = written.view(&state);
+        assert!((found.value - view).norm() < 4e-14 && (found.rate - rate.cross(&view)).norm() < 4e-13, "{found:?}");
+        let turned = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), -t);
+        let axis = orientation * Vector3::x();
+        let found = written.back(&state);
+        let wanted = turned * (rate.cross(&axis) - Vector3::z().cross(&axis));
+        assert!((found.value - turned * axis).norm() < 1e-14 && (found.rate - wanted).norm() < 1e-13, "{found:?}");
     }
 }

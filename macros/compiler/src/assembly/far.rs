@@ -1,10 +1,11 @@
 //! Assemblies far from the declared start.
 //!
-//! In: the assembly. Out: a [`Warning`] for each body whose angle or position is far from its declared start. A start only selects an
-//! assembly and need not be near it; but a distant one is rarely intended.
+//! In: the assembly. Out: a [`Warning`] for each body whose angle or position, and for each joint whose angle or displacement is far from its
+//! declared start. A start only selects an assembly and need not be near it; but a distant one is rarely intended.
 
 use crate::diag::{Doubt, Warning, degrees, millimetres, significant};
-use crate::model::Said;
+use crate::expr::{Expr, Values, evaluate};
+use crate::model::{JointQuantity, Said};
 use crate::numeric::Numeric;
 use crate::numeric::turns::within_a_turn;
 use crate::quantity::Ambient;
@@ -27,7 +28,38 @@ impl Numeric<'_> {
         let bodies = self.model.bodies.iter().enumerate();
         let doubts = bodies.filter_map(|(body, declared)| Some((&declared.name, self.far_start(structure, start, body)?)));
         let new = doubts.filter(|(name, _)| said.is_new(name));
-        new.take(MOST).map(|(name, doubt)| Warning { doubt, range: name.into() }).collect()
+        let of_bodies = new.take(MOST).map(|(name, doubt)| Warning { doubt, range: name.into() });
+        of_bodies.chain(self.far_starts_of_joints(start).into_iter().take(MOST)).collect()
+    }
+
+    /// Warnings for angles and displacements of joints.
+    fn far_starts_of_joints(&self, start: &[f64]) -> Vec<Warning> {
+        let declared: Vec<Expr> = self.model.starts.iter().map(|start| start.value).collect();
+        let at_start = Values { coordinates: start, ..self.known };
+        let found = evaluate(&self.system.arena, &self.system.off_starts, &at_start);
+        let each = self.model.starts.iter().zip(evaluate(&self.system.arena, &declared, &self.known)).zip(found);
+        let doubtful = each.filter_map(|((one, declared), off)| {
+            let is_angle = matches!(one.quantity, JointQuantity::Angle(..));
+            let off = if is_angle { within_a_turn(off) } else { off };
+            let shown = |value: f64| if is_angle { degrees(value) } else { millimetres(value) };
+            let instead = if is_angle {
+                format!("{}deg", significant((declared + off).to_degrees().round()))
+            } else {
+                shown(declared + off).replace(' ', "")
+            };
+            let is_far = off.abs() > if is_angle { FAR_ANGLE } else { FAR_PLACE * self.size };
+            let doubt = Doubt::FarStart {
+                what: one.written.clone(),
+                coordinate: one.written.clone(),
+                found: shown(declared + off),
+                declared: shown(declared),
+                apart: shown(off.abs()),
+                drive: None,
+                instead,
+            };
+            is_far.then_some(Warning { doubt, range: one.range })
+        });
+        doubtful.collect()
     }
 
     fn far_start(&self, structure: &Structure, start: &[f64], body: usize) -> Option<Doubt> {
@@ -38,9 +70,9 @@ impl Numeric<'_> {
         }
         let own: Vec<usize> = (0..start.len()).filter(|unknown| self.system.coordinates[*unknown].body == body).collect();
         let declared = |unknown: usize| self.declared[unknown].unwrap_or(start[unknown]);
-        let doubt = |coordinate, unknown: usize, found: String, declared: String, apart: String, instead: String| Doubt::FarStart {
-            body: self.model.bodies[body].name.to_string(),
-            coordinate,
+        let doubt = |coordinate: &str, unknown: usize, found: String, declared: String, apart: String, instead: String| Doubt::FarStart {
+            what: self.model.bodies[body].name.to_string(),
+            coordinate: coordinate.to_owned(),
             found,
             declared,
             apart,
@@ -57,6 +89,9 @@ impl Numeric<'_> {
                 let instead = format!("{}deg", significant(meant));
                 return Some(doubt("angle", unknown, degrees(start[unknown]), degrees(declared(unknown)), degrees(apart), instead));
             }
+        }
+        if !self.model.bodies[body].coordinates.iter().any(|one| one.role.is_position() && one.start.is_some()) {
+            return None;
         }
         let places: Vec<usize> = own.into_iter().filter(|unknown| self.is_position(*unknown)).collect();
         let apart = places.iter().map(|unknown| (start[*unknown] - declared(*unknown)).powi(2)).sum::<f64>().sqrt();

@@ -86,7 +86,7 @@ codes! {
     E0207: Grammar::OneArgument Value::FunctionNeedsArgument;
     E0208: Arity::DefaultBefore;
     // Kinds and dimensions.
-    E0301: Value::NotA Value::NotAnOutput Motion::TorqueWithoutAxis Motion::TorqueWithAxis Motion::ForceWithoutDirection
+    E0301: Value::NotA Value::NotAnOutput Value::NotAStart Motion::TorqueWithoutAxis Motion::TorqueWithAxis Motion::ForceWithoutDirection
         Motion::GravityWithoutDirection
         Motion::ForceAtNoPoint Motion::TorqueOnNoBody Motion::ValueForForce Motion::ValueForConstraint Motion::FreedomOfJoint;
     E0302: Value::WrongArgument Value::WrongDefault Motion::JointWithoutValue Arity::OtherOrder Arity::FunctionOrder;
@@ -133,7 +133,7 @@ codes! {
     E0602: Equation::RowOfNothing Equation::OnGround Equation::ForceOnGround Equation::EnergyOfNothing Equation::CrossProduct;
     E0603: Equation::NoEquations Equation::NoForces Equation::EmptyBundle;
     E0604: Equation::GroundStart;
-    E0605: Equation::NotAffine Equation::RateOfSpeed Value::RateOfVelocity System::Nonholonomic;
+    E0605: Equation::NotAffine Equation::RateOfSpeed Value::RateOfVelocity System::Nonholonomic System::NoVelocity;
     E0606: Equation::EquationInForce Equation::ForceInJoint Motion::ForceForConstraint Motion::ConstraintForForce;
     E0607: Value::OutputWithoutRate Motion::NoJerk;
     // Mobility.

@@ -4,7 +4,7 @@ mod motion;
 mod system;
 
 pub use motion::{JerkObstacle, JointValue, MotionFact, Word};
-pub use system::{Count, Demand, Forgotten, SystemFact};
+pub use system::{Count, Demand, Forgotten, NoPosition, SystemFact};
 
 use super::{Doubt, Home, Kind, Wanted};
 use crate::quantity::{Ambient, Dim, Role};
@@ -176,68 +176,207 @@ pub enum ArityFact {
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
 pub enum ValueFact {
     RangeWithoutEnd,
-    NotA { wanted: Wanted, found: Kind, ambient: Ambient },
-    WrongArgument { parameter: String, definition: String, wanted: Wanted, found: Kind, ambient: Ambient, instead: Option<String> },
-    WrongArgumentDimension { parameter: String, definition: String, wanted: Dim, found: Dim },
-    WrongDefault { wanted: Wanted, found: Kind },
-    WrongDimension { wanted: Dim, found: Dim },
-    OfFunction { wanted: Dim, found: Dim },
-    NotARate { written: String, found: Dim, instead: String },
-    Unlike { action: &'static str, one: Dim, two: Dim },
-    NotALength { found: Dim, instead: Option<String> },
-    FunctionTakes { wanted: Dim, found: Dim },
+    NotA {
+        wanted: Wanted,
+        found: Kind,
+        ambient: Ambient,
+    },
+    WrongArgument {
+        parameter: String,
+        definition: String,
+        wanted: Wanted,
+        found: Kind,
+        ambient: Ambient,
+        instead: Option<String>,
+    },
+    WrongArgumentDimension {
+        parameter: String,
+        definition: String,
+        wanted: Dim,
+        found: Dim,
+    },
+    WrongDefault {
+        wanted: Wanted,
+        found: Kind,
+    },
+    WrongDimension {
+        wanted: Dim,
+        found: Dim,
+    },
+    OfFunction {
+        wanted: Dim,
+        found: Dim,
+    },
+    NotARate {
+        written: String,
+        found: Dim,
+        instead: String,
+    },
+    Unlike {
+        action: &'static str,
+        one: Dim,
+        two: Dim,
+    },
+    NotALength {
+        found: Dim,
+        instead: Option<String>,
+    },
+    FunctionTakes {
+        wanted: Dim,
+        found: Dim,
+    },
     OrderOfBodies,
-    CannotCompare { one: Kind, two: Kind },
-    CannotEquate { one: Kind, two: Kind, ambient: Ambient },
-    NotTwoComponents { found: usize },
-    NotThreeComponents { found: usize },
-    MeansSpace { name: String },
-    OnlyInSpace { word: String },
-    OnlyInPlane { word: String },
-    AlongItsAxis { name: String },
-    VectorAndNumber { in_space: bool },
+    CannotCompare {
+        one: Kind,
+        two: Kind,
+    },
+    CannotEquate {
+        one: Kind,
+        two: Kind,
+        ambient: Ambient,
+    },
+    NotTwoComponents {
+        found: usize,
+    },
+    NotThreeComponents {
+        found: usize,
+    },
+    MeansSpace {
+        name: String,
+    },
+    OnlyInSpace {
+        word: String,
+    },
+    OnlyInPlane {
+        word: String,
+    },
+    AlongItsAxis {
+        name: String,
+    },
+    VectorAndNumber {
+        in_space: bool,
+    },
     VectorTimesVector,
     NumberByVector,
-    PowerOfDimension { base: Dim },
-    NotAnOutput { found: Kind },
-    NumberTooLong { number: String, limit: usize },
-    NumberOutOfRange { number: String },
-    NotFinite { place: &'static str },
-    TooLarge { limit: usize, in_function: bool },
+    PowerOfDimension {
+        base: Dim,
+    },
+    NotAnOutput {
+        found: Kind,
+    },
+    NumberTooLong {
+        number: String,
+        limit: usize,
+    },
+    NumberOutOfRange {
+        number: String,
+    },
+    NotFinite {
+        place: &'static str,
+    },
+    TooLarge {
+        limit: usize,
+        in_function: bool,
+    },
     DivisionByZero,
     EqualityInChoice,
     ListOutsideTable,
-    TableArity { found: usize },
+    TableArity {
+        found: usize,
+    },
     TableNeedsList,
     TableNeedsPairs,
-    TableNotIncreasing { before: f64, found: f64, dim: Dim },
-    TableTooShort { found: usize },
-    TableNotPeriodic { first: f64, last: f64, dim: Dim },
-    TableEnds { found: String },
-    SegmentsArity { found: usize },
+    TableNotIncreasing {
+        before: f64,
+        found: f64,
+        dim: Dim,
+    },
+    TableTooShort {
+        found: usize,
+    },
+    TableNotPeriodic {
+        first: f64,
+        last: f64,
+        dim: Dim,
+    },
+    TableEnds {
+        found: String,
+    },
+    SegmentsArity {
+        found: usize,
+    },
     SegmentsNeedList,
     SegmentsEnds,
     NotASegment,
     NotALaw,
-    SegmentWithoutDuration { found: f64, dim: Dim },
-    SegmentsMissTurn { found: f64 },
-    SegmentsDoNotReturn { off: f64, dim: Dim },
-    SegmentsJolt { at: f64, velocities: [f64; 2], laws: [Option<String>; 2], along: Dim, dim: Dim },
-    LawFromTo { name: String, from: f64, to: f64 },
-    NotConstant { place: &'static str, help: &'static str },
-    EmptyBounds { bounds: String, is_point: bool },
-    DefaultOutOfBounds { value: String, bounds: String },
-    NotFixed { place: &'static str },
+    SegmentWithoutDuration {
+        found: f64,
+        dim: Dim,
+    },
+    SegmentsMissTurn {
+        found: f64,
+    },
+    SegmentsDoNotReturn {
+        off: f64,
+        dim: Dim,
+    },
+    SegmentsJolt {
+        at: f64,
+        velocities: [f64; 2],
+        laws: [Option<String>; 2],
+        along: Dim,
+        dim: Dim,
+    },
+    LawFromTo {
+        name: String,
+        from: f64,
+        to: f64,
+    },
+    NotConstant {
+        place: &'static str,
+        help: &'static str,
+    },
+    EmptyBounds {
+        bounds: String,
+        is_point: bool,
+    },
+    DefaultOutOfBounds {
+        value: String,
+        bounds: String,
+    },
+    NotFixed {
+        place: &'static str,
+    },
+    /// A start outside bodies that is not of an angle or a displacement of a joint in space.
+    NotAStart {
+        written: String,
+        ambient: Ambient,
+    },
     FunctionNeedsArgument,
     RateOfVelocity,
     OutputWithoutRate,
     EnergyOfVelocities,
-    NotAnEnergy { found: Dim },
-    NegativeMass { what: &'static str, body: String, value: f64 },
-    ImpossibleInertia { body: String },
-    CenterWithoutMass { body: String },
-    ShapeWithoutMass { name: String },
-    ZeroAxis { name: String, in_space: bool },
+    NotAnEnergy {
+        found: Dim,
+    },
+    NegativeMass {
+        what: &'static str,
+        body: String,
+        value: f64,
+    },
+    ImpossibleInertia {
+        body: String,
+    },
+    CenterWithoutMass {
+        body: String,
+    },
+    ShapeWithoutMass {
+        name: String,
+    },
+    ZeroAxis {
+        name: String,
+        in_space: bool,
+    },
 }
 
 /// Joints, drives and definitions, each on its own.

@@ -67,10 +67,10 @@ impl fmt::Display for Fact {
 impl fmt::Display for Doubt {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            Doubt::FarStart { body, coordinate, found, declared, apart, drive, instead } => {
+            Doubt::FarStart { what, coordinate, found, declared, apart, drive, instead } => {
                 match drive {
-                    Some(drive) => write!(f, "`{drive}` puts `{body}` at {found} at t = 0")?,
-                    None => write!(f, "the nearest assembly has `{body}` at {found}")?,
+                    Some(drive) => write!(f, "`{drive}` puts `{what}` at {found} at t = 0")?,
+                    None => write!(f, "the nearest assembly has `{what}` at {found}")?,
                 }
                 write!(f, ", {apart} from its declared start at {declared}")?;
                 write!(f, "\nhelp: write `start {coordinate} = {instead};`, or `#[allow(far_start)]` before the mechanism")

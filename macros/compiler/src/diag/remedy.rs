@@ -29,6 +29,9 @@ pub(super) fn of_kind(wanted: &Wanted, found: &Kind, ambient: Ambient) -> &'stat
         (Wanted::Point, Kind::Number) => "\nhelp: write `(x, y, z)` for a place in ground, `body.P` for a point of a body",
         (Wanted::Axis, Kind::Number) if is_plane => "\nhelp: write `(1, 0)` for the direction of x",
         (Wanted::Axis, _) if !is_plane => "\nhelp: write `(1, 0, 0)` for the direction of x",
+        (Wanted::NumberOrVector, Kind::Orientation) => {
+            "\nhelp: orientations are multiplied, and one stands before the vector that it turns"
+        }
         (Wanted::FunctionOfOne, _) => "\nhelp: declare one, such as `function name(x: Angle) -> Length = …;`",
         (Wanted::JointOf(_), Kind::JointOf(_)) => "",
         (Wanted::JointOf(_), _) => "\nhelp: write the name of the joint",
@@ -47,6 +50,7 @@ pub(super) fn of_equation(one: &Kind, two: &Kind, ambient: Ambient) -> &'static 
         (Kind::Number, other) | (other, Kind::Number) if is_directed(other) => {
             "\nhelp: write `.x`, `.y` or `.z` for one component, or `(x, y, z)` on the other side for all"
         }
+        (Kind::Orientation, _) | (_, Kind::Orientation) => "\nhelp: an orientation is a product of turns, such as `turn((0, 0, 1), 30deg)`",
         (Kind::Body, Kind::Body) if is_plane => "\nhelp: `weld` holds two bodies together; their numbers are `.x`, `.y` and `.angle`",
         (Kind::Body, Kind::Body) => "\nhelp: `weld` holds two bodies together; the place of a body is `.position`",
         (Kind::Body, _) | (_, Kind::Body) if is_plane => "\nhelp: its coordinates are `.x`, `.y` and `.angle`, its place is `.position`",

@@ -21,10 +21,10 @@ pub struct Warning {
 pub enum Doubt {
     /// The nearest assembly is far from a declared start.
     FarStart {
-        /// Path of the body.
-        body: String,
-        /// `angle` or `position`.
-        coordinate: &'static str,
+        /// The body, or the angle or displacement of a joint.
+        what: String,
+        /// `angle` or `position` of a body; that of a joint, `hinge.angle`.
+        coordinate: String,
         /// Assembled value, with units.
         found: String,
         /// Declared value.

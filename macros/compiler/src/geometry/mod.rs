@@ -7,9 +7,9 @@ mod components;
 mod turn;
 
 pub use components::Components;
-pub(crate) use turn::{Turn, quaternion, turned_tensor};
+pub(crate) use turn::{Rotation, Turn, natural, quaternion, rodrigues, rotated, turned_tensor};
 
-use crate::expr::{Arena, Expr, Triple, cross, dot, unit};
+use crate::expr::{Arena, Binary, Expr, Leaf, Triple, cross, dot, unit};
 
 /// Three perpendicular unit vectors fixed in a body or in ground: x, y, and the axis z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -34,6 +34,17 @@ impl Triad {
         let axes = [x, cross(arena, z, x), z];
         // A vector at a right angle to an axis of the frame has no part along it, not even a rounding error.
         Triad { body, axes: axes.map(|axis| axis.map(|part| arena.snapped(part))) }
+    }
+
+    /// The columns of an orientation that is fixed in a body or in ground; `None` if it is not.
+    pub(crate) fn of(arena: &mut Arena, rotations: &[Rotation]) -> Option<Triad> {
+        let (body, rest) = match rotations {
+            [Rotation::OfBody(body), rest @ ..] => (Some(*body), rest),
+            rest => (None, rest),
+        };
+        let axes = natural(arena);
+        let axes = rotated(arena, rest, axes);
+        axes.iter().all(|axis| is_fixed(arena, *axis)).then_some(Triad { body, axes })
     }
 
     /// The triad after half a turn about one of its axes: that axis stays, the other two are reversed.
@@ -107,6 +118,26 @@ pub struct Geometry {
     pub relations: Vec<(usize, usize, Relationship)>,
     /// Angles and displacements of joints, each with its expression, which is marked with its number here.
     pub quantities: Vec<(JointQuantity, Expr)>,
+}
+
+/// The angle with a given sine and cosine that is within half a turn of another.
+pub(crate) fn angle_near(arena: &mut Arena, near: Expr, s: Expr, c: Expr) -> Expr {
+    let (sine, cosine) = (arena.sin(near), arena.cos(near));
+    let [sc, cs, cc, ss] = [(s, cosine), (c, sine), (c, cosine), (s, sine)].map(|(a, b)| arena.mul(a, b));
+    let (above, below) = (arena.sub(sc, cs), arena.add(cc, ss));
+    let rest = arena.binary(Binary::Atan2, above, below);
+    arena.add(near, rest)
+}
+
+/// Index of the component of a vector that is farthest from zero.
+pub(crate) fn longest(components: &[f64]) -> usize {
+    let size = |k: usize| if components[k].is_finite() { components[k].abs() } else { 0.0 };
+    (0..components.len()).fold(0, |longest, k| if size(k) > size(longest) { k } else { longest })
+}
+
+/// True if a vector depends on parameters alone.
+fn is_fixed(arena: &Arena, vector: Triple) -> bool {
+    vector.iter().all(|part| arena.leaves(*part).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_))))
 }
 
 /// Columns of the rotation matrix of a quaternion of any norm n > 0, and h = 2/n².

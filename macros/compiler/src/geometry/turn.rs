@@ -1,17 +1,74 @@
-//! Orientations as products of turns, of which the last comes first.
+//! Orientations as products of rotations, of which the last comes first.
 //!
 //! ```text
 //! cos(θ/2) + sin(θ/2) (k_x i + k_y j + k_z k)                   quaternion of a turn by θ about the unit vector k
 //! R_ij = k_i k_j (1 − cos θ) + δ_ij cos θ − ε_ijl k_l sin θ     its matrix
 //! ```
 
-use crate::expr::{Arena, Expr, Triple, cross, dot};
+use super::is_fixed;
+use crate::expr::{Arena, Expr, Triple, combination, cross, dot};
 
 /// A turn about a unit vector.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turn {
     pub(crate) axis: Triple,
     pub(crate) angle: Expr,
+}
+
+/// A factor of an orientation.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Rotation {
+    /// A turn.
+    Turn(Turn),
+    /// From the axes of a body to those of ground.
+    OfBody(usize),
+}
+
+impl Rotation {
+    /// The turn, if it is one.
+    pub(crate) fn turn(self) -> Option<Turn> {
+        match self {
+            Rotation::Turn(turn) => Some(turn),
+            Rotation::OfBody(_) => None,
+        }
+    }
+}
+
+/// Vectors after rotations.
+pub(crate) fn rotated<const N: usize>(arena: &mut Arena, rotations: &[Rotation], vectors: [Triple; N]) -> [Triple; N] {
+    rotations.iter().rev().fold(vectors, |vectors, rotation| match rotation {
+        Rotation::Turn(turn) => {
+            let rows = turn.matrix(arena).map(|row| row.map(|part| arena.snapped(part)));
+            vectors.map(|vector| rows.map(|row| dot(arena, row, vector)))
+        }
+        Rotation::OfBody(body) => vectors.map(|vector| {
+            if is_fixed(arena, vector) {
+                return arena.turned(*body, vector);
+            }
+            let own = natural(arena).map(|axis| arena.turned(*body, axis));
+            combination(arena, vector, own)
+        }),
+    })
+}
+
+/// 2 tan(δ/2) n, where a rotation by δ about the unit vector n leads from the second axes to the first.
+pub(crate) fn rodrigues(arena: &mut Arena, one: [Triple; 3], two: [Triple; 3]) -> Triple {
+    let (unity, double) = (arena.integer(1), arena.integer(2));
+    let sines = [0, 1, 2].map(|k| cross(arena, two[k], one[k]));
+    let cosines = [0, 1, 2].map(|k| dot(arena, two[k], one[k]));
+    let trace = arena.sum(&cosines);
+    let below = arena.add(unity, trace);
+    [0, 1, 2].map(|axis| {
+        let sine = arena.sum(&[sines[0][axis], sines[1][axis], sines[2][axis]]);
+        let above = arena.mul(double, sine);
+        arena.div(above, below)
+    })
+}
+
+/// The axes of a frame, in itself.
+pub(crate) fn natural(arena: &mut Arena) -> [Triple; 3] {
+    let (zero, one) = (arena.integer(0), arena.integer(1));
+    [[one, zero, zero], [zero, one, zero], [zero, zero, one]]
 }
 
 impl Turn {
@@ -45,10 +102,11 @@ impl Turn {
     }
 }
 
-/// The unit quaternion of an orientation, with the real part first; `None` if there are no turns.
-pub(crate) fn quaternion(arena: &mut Arena, turns: &[Turn]) -> Option<[Expr; 4]> {
+/// The unit quaternion of turns, with the real part first.
+pub(crate) fn quaternion(arena: &mut Arena, turns: &[Turn]) -> [Expr; 4] {
     let parts: Vec<[Expr; 4]> = turns.iter().map(|turn| turn.quaternion(arena)).collect();
-    parts.into_iter().reduce(|one, two| composed(arena, one, two))
+    let (zero, one) = (arena.integer(0), arena.integer(1));
+    parts.into_iter().reduce(|one, two| composed(arena, one, two)).unwrap_or([one, zero, zero, zero])
 }
 
 /// The product of two rotations: the second comes first.

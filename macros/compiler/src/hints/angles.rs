@@ -18,6 +18,7 @@ fn of_items(items: &[Item], found: &mut Vec<Warning>) {
             Item::Function(function) => of(&function.value, found),
             Item::Joint(joint) | Item::Force(joint) => of_joint(&joint.body, found),
             Item::Output(output) => of(&output.value, found),
+            Item::Start(start) => of(&start.value, found),
             Item::Ground(frame) | Item::Body(frame) => {
                 frame.marks.single.iter().for_each(|mark| of(&mark.value, found));
                 frame.starts.iter().for_each(|start| of(&start.value, found));

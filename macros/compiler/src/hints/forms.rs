@@ -76,3 +76,32 @@ pub(crate) fn by_time(value: &Expression) -> Option<(&Expression, Dim, String)> 
         _ => None,
     }
 }
+
+/// Text of a constant: a number with a unit as written, anything else by its value in SI.
+pub(crate) fn in_words(written: &Expression, value: f64, dim: Dim) -> String {
+    let (sign, inner) = match &written.kind {
+        ExpressionKind::Negative(inner) => ("-", &inner.kind),
+        kind => ("", kind),
+    };
+    match inner {
+        ExpressionKind::Number { digits, unit } if !unit.is_empty() => format!("{sign}{digits} {unit}"),
+        _ => format!("{value} {}", dim.unit()).trim_end().to_owned(),
+    }
+}
+
+/// The digits of a number in mm, as the length that was probably meant.
+pub(crate) fn in_millimetres(written: &Expression) -> Option<String> {
+    match &written.kind {
+        ExpressionKind::Number { digits, .. } => Some(format!("{digits}mm")),
+        _ => None,
+    }
+}
+
+/// Parameter on one side of a condition: `P`, or `P.body`.
+pub(crate) fn argument_of(side: &Expression) -> Option<&Ident> {
+    match &side.kind {
+        ExpressionKind::Path(path) => path.name.as_ref(),
+        ExpressionKind::Field(owner, _) => argument_of(owner),
+        _ => None,
+    }
+}

@@ -1,8 +1,8 @@
 //! Guesses at the intent of a declaration, from the tree alone, without resolving names.
 //!
-//! In: expressions and items as written. Out: whether they are meant in space, lengths that were probably not meant in metres and angles not in radians, forms that
-//! are often written in place of others, what outputs probably are, which names generated functions have, and names that nothing uses. Not done
-//! here: reporting, which `resolve` does, as it knows the meaning of names.
+//! In: expressions and items as written. Out: whether they are meant in space, lengths that were probably not meant in metres and angles not
+//! in radians, forms that are often written in place of others, what outputs probably are, which names generated functions have, and names
+//! that nothing uses. Not done here: reporting, which `resolve` does, as it knows the meaning of names.
 
 mod ambient;
 mod angles;
@@ -15,7 +15,7 @@ mod unused;
 
 pub(crate) use ambient::{is_meant, means_space};
 pub(crate) use angles::bare_angles;
-pub(crate) use forms::{by_time, cross_product, is_zero, point_of, unit_in_parts};
+pub(crate) use forms::{argument_of, by_time, cross_product, in_millimetres, in_words, is_zero, point_of, unit_in_parts};
 pub(crate) use generated::{is_generated, is_of_generated_type};
 pub(crate) use lengths::Lengths;
 pub(crate) use outputs::{OutputKind, derivatives, output_kind};

@@ -18,7 +18,7 @@ pub(crate) use name::Said;
 pub use sketch::Sketch;
 pub use solid::Solid;
 
-use crate::diag::Warning;
+use crate::diag::{Range, Warning};
 use crate::expr::{Arena, Expr, Leaf};
 use crate::quantity::{Ambient, Dim, Role, SpeedRole};
 use crate::syntax::ast::{Closing, Docs, Following, Relation, Requests, Task};
@@ -69,6 +69,8 @@ pub struct Model {
     pub ambient: Ambient,
     /// Relations between bodies that joints in space impose.
     pub space: Geometry,
+    /// Declared starts of angles and displacements of joints.
+    pub starts: Vec<JointStart>,
     /// Task of the generated code.
     pub task: Task,
     /// Policy if the mechanism does not assemble at the declared defaults.
@@ -151,6 +153,19 @@ pub struct Parameter {
     pub bounds: Option<Bounds>,
 }
 
+/// Declared start of an angle or a displacement of a joint in space.
+#[derive(Clone, Debug)]
+pub struct JointStart {
+    /// The angle or displacement.
+    pub quantity: JointQuantity,
+    /// Value, a function of parameters.
+    pub value: Expr,
+    /// As written: `hinge.angle`.
+    pub written: String,
+    /// Where it is written.
+    pub range: Range,
+}
+
 /// Declared range of a parameter, in SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bounds {
@@ -162,6 +177,15 @@ pub struct Bounds {
     pub is_inclusive: bool,
     /// As written: `5 mm ..= 50 mm`.
     pub text: String,
+}
+
+impl Bounds {
+    /// True if `value` lies within the bounds.
+    #[must_use]
+    pub fn hold(&self, value: f64) -> bool {
+        let is_below = |to: f64| if self.is_inclusive { value <= to } else { value < to };
+        self.from.is_none_or(|from| from <= value) && self.to.is_none_or(is_below)
+    }
 }
 
 /// Range of time of a mechanism, in s.
@@ -241,6 +265,8 @@ pub struct Joint {
     pub residuals: Vec<Residual>,
     /// Its load can be computed alone: declared as `slice joint` or `slice drive`.
     pub is_slice: bool,
+    /// Where `#[velocity]` stands, if its equations of velocities are not to be integrated.
+    pub velocity: Option<Range>,
     /// Body on which the load of the joint acts, and the local components of the point of application.
     pub place: Option<(usize, Vec<Expr>)>,
 }

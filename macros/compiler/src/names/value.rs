@@ -3,7 +3,7 @@
 use super::{GroupId, SpaceId};
 use crate::diag::Kind;
 use crate::expr::Expr;
-use crate::geometry::{Components, Turn};
+use crate::geometry::{Components, Rotation};
 use crate::quantity::InferredDim;
 use crate::syntax::ast;
 use std::rc::Rc;
@@ -15,6 +15,11 @@ pub(crate) struct FrameId(pub(crate) usize);
 impl FrameId {
     /// The frame that does not move.
     pub(crate) const GROUND: FrameId = FrameId(0);
+
+    /// Its body; `None` for ground.
+    pub(crate) fn body(self) -> Option<usize> {
+        self.0.checked_sub(1)
+    }
 }
 
 /// A number.
@@ -61,8 +66,8 @@ pub(crate) enum Value {
     Point(Fixed),
     Axis(Fixed),
     Body(FrameId),
-    /// A product of turns, of which the last comes first.
-    Orientation(Rc<[Turn]>),
+    /// A product of rotations, of which the last comes first.
+    Orientation(Rc<[Rotation]>),
     Function(FunctionValue),
     Joint {
         kind: String,
@@ -80,7 +85,17 @@ pub(crate) enum Value {
 impl Value {
     /// True if sums and products can be formed of the value.
     pub(crate) fn is_combinable(&self) -> bool {
-        matches!(self, Value::Scalar(_) | Value::Vector(_) | Value::Point(_) | Value::Axis(_))
+        matches!(self, Value::Scalar(_)) || self.is_vector()
+    }
+
+    /// The number, if it is one.
+    pub(crate) fn scalar(&self) -> Option<Scalar> {
+        if let Value::Scalar(scalar) = self { Some(*scalar) } else { None }
+    }
+
+    /// True if the value is a vector or stands for one.
+    pub(crate) fn is_vector(&self) -> bool {
+        matches!(self, Value::Vector(_) | Value::Point(_) | Value::Axis(_))
     }
 
     /// Kind of the value, for messages.

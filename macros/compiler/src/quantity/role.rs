@@ -43,6 +43,17 @@ impl Ambient {
         self.coordinates().iter().copied().filter(|role| !matches!(role, Role::Quaternion(_)))
     }
 
+    /// Index of a component of a vector, by name.
+    pub(crate) fn component(self, name: &str) -> Option<usize> {
+        self.positions().position(|role| role.name() == name)
+    }
+
+    /// The words after `start` in a body.
+    pub(crate) fn start_words(self) -> impl Iterator<Item = &'static str> {
+        let orientation = (self == Ambient::Space).then_some("orientation");
+        self.named().map(Role::name).chain(["position"]).chain(orientation)
+    }
+
     /// Number of components of a vector.
     #[must_use]
     pub fn components(self) -> usize {

@@ -4,6 +4,7 @@ use super::Components;
 use super::elaborate::Elaborator;
 use crate::diag::{Range, ValueFact, Wanted};
 use crate::expr::{Exact, Expr, Unary};
+use crate::hints::in_millimetres;
 use crate::names::{Scalar, Scope, Value, Vector};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Operator, Relation};
@@ -84,6 +85,10 @@ impl Elaborator<'_> {
         match (left, right) {
             (Value::Orientation(one), Value::Orientation(two)) if operator == Operator::Mul => {
                 Some(Value::Orientation(one.iter().chain(two.iter()).copied().collect()))
+            }
+            (Value::Orientation(rotations), right) if operator == Operator::Mul && right.is_vector() => {
+                let vector = self.vector_of(rhs.range, right, Wanted::VectorOrPoint)?;
+                self.oriented(&rotations, vector).map(Value::Vector)
             }
             (Value::Scalar(one), Value::Scalar(two)) => {
                 if matches!(operator, Operator::Add | Operator::Sub) && one.measure.common(two.measure).is_none() {
@@ -268,6 +273,10 @@ impl Elaborator<'_> {
             };
             return Some(vec![Scalar { expr: self.arena.sub(one.expr, two.expr), measure }]);
         }
+        if let (Value::Orientation(one), Value::Orientation(two)) = (&left, &right) {
+            let Vector { parts, measure } = self.between_orientations(one, two);
+            return Some(parts.iter().map(|expr| Scalar { expr: *expr, measure }).collect());
+        }
         let kinds = [left.kind(), right.kind()];
         let points = match (&left, &right) {
             (Value::Point(to), Value::Point(from)) => Some((*from, *to)),
@@ -294,13 +303,5 @@ impl Elaborator<'_> {
             self.note_difference(parts, from, to);
         }
         Some(parts.iter().map(|expr| Scalar { expr: *expr, measure }).collect())
-    }
-}
-
-/// The digits of a number in mm, as the length that was probably meant.
-fn in_millimetres(written: &ast::Expression) -> Option<String> {
-    match &written.kind {
-        ast::ExpressionKind::Number { digits, .. } => Some(format!("{digits}mm")),
-        _ => None,
     }
 }

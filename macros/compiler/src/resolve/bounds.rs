@@ -5,18 +5,10 @@ use super::register::Register;
 use super::{Bounds, Parameter, Times};
 use crate::diag::ValueFact;
 use crate::expr::{Expr, Leaf};
+use crate::hints::in_words;
 use crate::names::Scope;
 use crate::quantity::Dim;
-use crate::syntax::ast::{self, ExpressionKind, Limits};
-
-impl Bounds {
-    /// True if `value` lies within the bounds.
-    #[must_use]
-    pub fn hold(&self, value: f64) -> bool {
-        let is_below = |to: f64| if self.is_inclusive { value <= to } else { value < to };
-        self.from.is_none_or(|from| from <= value) && self.to.is_none_or(is_below)
-    }
-}
+use crate::syntax::ast::{self, Limits};
 
 impl Elaborator<'_> {
     /// Evaluates the declared bounds of a parameter. Reports bounds that are not constant, and empty ranges.
@@ -72,17 +64,5 @@ impl Elaborator<'_> {
         }
         let value = self.numbers(&[], &[expr])[0];
         if self.is_finite(expr, &[]) { Some(Some(value)) } else { self.refuse(written.range, ValueFact::NotFinite { place: "the bound" }) }
-    }
-}
-
-/// Text of a constant: a number with a unit as written, anything else by its value in SI.
-pub(super) fn in_words(written: &ast::Expression, value: f64, dim: Dim) -> String {
-    let (sign, inner) = match &written.kind {
-        ExpressionKind::Negative(inner) => ("-", &inner.kind),
-        kind => ("", kind),
-    };
-    match inner {
-        ExpressionKind::Number { digits, unit } if !unit.is_empty() => format!("{sign}{digits} {unit}"),
-        _ => format!("{value} {}", dim.unit()).trim_end().to_owned(),
     }
 }

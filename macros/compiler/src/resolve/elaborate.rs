@@ -376,14 +376,14 @@ impl Elaborator<'_> {
                 let (near, known) = (self.nearest(&name, words.iter().copied()), Known::of(words.iter().copied()));
                 return self.refuse(field, NameFact::UnknownField { owner: format!("a `{kind}` joint"), name, near, known });
             }
-            _ if axis(&name, self.names.ambient).is_some() => {}
+            _ if self.names.ambient.component(&name).is_some() => {}
             _ => return self.refuse(field, unknown_field(&value, name, self.names.ambient)),
         }
         let unknown = unknown_field(&value, name.clone(), self.names.ambient);
         let Some(vector) = self.as_vector(value) else {
             return self.refuse(field, unknown);
         };
-        let expr = *vector.parts.get(axis(&name, self.names.ambient)?)?;
+        let expr = *vector.parts.get(self.names.ambient.component(&name)?)?;
         Some(Value::Scalar(Scalar { expr, measure: vector.measure }))
     }
 
@@ -406,6 +406,7 @@ impl Elaborator<'_> {
                 Some(Value::Point(Fixed { frame, local, measure: InferredDim::Known(Dim::LENGTH), zero: None }))
             }
             None if name == "angular_velocity" => Some(self.angular_velocity(frame)),
+            None if name == "orientation" && self.names.ambient == Ambient::Space => Some(self.orientation_of(frame)),
             None if name == "angle" && self.names.find(self.names.frames[frame.0].space, &name).is_none() => {
                 let (body, joint) = (self.names.frames[frame.0].name.clone(), self.hinge_of(frame));
                 self.refuse(field, NameFact::AngleOfBody { body, joint })
@@ -437,11 +438,6 @@ impl Elaborator<'_> {
     pub(super) fn is_fixed(&self, expr: Expr) -> bool {
         self.arena.leaves(expr).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_)))
     }
-}
-
-/// Index of a component of a vector, by name.
-fn axis(name: &str, ambient: Ambient) -> Option<usize> {
-    ambient.positions().position(|role| role.name() == name)
 }
 
 fn unknown_field(value: &Value, name: String, ambient: Ambient) -> NameFact {

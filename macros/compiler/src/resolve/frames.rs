@@ -1,4 +1,4 @@
-//! Bodies and ground: coordinates, points and axes fixed in them, start values.
+//! Bodies and ground: coordinates, points and axes fixed in them, start values; start values of joints.
 
 use super::elaborate::Elaborator;
 use super::register::Register;
@@ -7,8 +7,8 @@ use super::{Body, BodyCoordinate, Name, Requirement};
 use crate::diag::nearest;
 use crate::diag::{NameFact, Range, ValueFact};
 use crate::expr::{Expr, Leaf};
-use crate::geometry::quaternion;
-use crate::model::DECLARED;
+use crate::geometry::{JointQuantity, quaternion};
+use crate::model::{DECLARED, JointStart};
 use crate::names::{Context, EntityId, Fixed, FrameId, FrameScope, Key, Scope, Value};
 use crate::quantity::{Ambient, Dim, InferredDim, Role};
 use crate::syntax::ast;
@@ -131,11 +131,11 @@ impl Elaborator<'_> {
                     self.location(&start.value, &scope).map(|vector| (0..).zip(vector.parts.iter().copied()).collect())
                 }
                 None if word == "orientation" && ambient == Ambient::Space => {
-                    let turns = self.orientation(&start.value, &scope);
-                    turns.and_then(|turns| quaternion(&mut self.arena, &turns)).map(|quaternion| (3..).zip(quaternion).collect())
+                    let turns = self.turns(&start.value, "a start value", &scope);
+                    turns.map(|turns| (3..).zip(quaternion(&mut self.arena, &turns)).collect())
                 }
                 None => {
-                    let near = nearest(&word, start_words(ambient));
+                    let near = nearest(&word, ambient.start_words());
                     self.refuse(&start.what, NameFact::UnknownStart { name: word.clone(), near, in_space: ambient == Ambient::Space })
                 }
             };
@@ -155,10 +155,32 @@ impl Elaborator<'_> {
         let masses = self.mass(frame, &Scope::of(context).timeless("the mass of a body"));
         Body { name: name.clone(), first: 0, coordinates, masses }
     }
-}
 
-/// The words allowed after `start`.
-pub(super) fn start_words(ambient: Ambient) -> impl Iterator<Item = &'static str> {
-    let orientation = (ambient == Ambient::Space).then_some("orientation");
-    ambient.named().map(Role::name).chain(["position"]).chain(orientation)
+    /// Declared starts of angles and displacements of joints.
+    pub(super) fn joint_starts(&mut self, register: &Register) {
+        for (start, context) in &register.starts {
+            self.once(start, |this| this.joint_start(start, &Scope::of(context).timeless("a start value")));
+        }
+    }
+
+    fn joint_start(&mut self, start: &ast::Shared<ast::StartItem>, scope: &Scope) -> Option<()> {
+        let (range, ambient) = (start.quantity.range, self.names.ambient);
+        let value = if ambient == Ambient::Space { Some(self.value(&start.quantity, scope)?) } else { None };
+        let Some(found) = value.and_then(|value| self.quantity_at(value.scalar()?.expr)) else {
+            return self.refuse(range, ValueFact::NotAStart { written: start.quantity.to_string(), ambient });
+        };
+        let dim = if matches!(found, JointQuantity::Angle(..)) { Dim::ANGLE } else { Dim::LENGTH };
+        let value = self.scalar_of(&start.value, dim, scope)?.expr;
+        if !self.is_fixed(value) {
+            return self.refuse(start.value.range, ValueFact::NotFixed { place: "a start value" });
+        }
+        self.has_to_be_finite(value, Key::Value(start.id(), 0), start.value.range, "the start value");
+        let written = start.quantity.to_string();
+        if self.space.starts.iter().any(|known| known.quantity == found) {
+            let (body, name) = written.rsplit_once('.').map(|(owner, name)| (owner.to_owned(), name.to_owned()))?;
+            return self.refuse(range, NameFact::DuplicateStart { name, body });
+        }
+        self.space.starts.push(JointStart { quantity: found, value, written, range });
+        Some(())
+    }
 }

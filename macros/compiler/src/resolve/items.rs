@@ -82,7 +82,8 @@ impl Elaborator<'_> {
         let residuals = rows.iter().map(residual).collect();
         let place = self.place_of_load(id, joint);
         let JointItem { is_drive, is_redundant, is_slice, .. } = *joint;
-        Some((Joint { name: name.clone(), kind, is_drive, is_redundant, is_slice, freedom, residuals, place }, rows))
+        let velocity = joint.velocity.as_ref().map(Range::from);
+        Some((Joint { name: name.clone(), kind, is_drive, is_redundant, is_slice, velocity, freedom, residuals, place }, rows))
     }
 
     /// The last point of a joint that moves; without one, the origin of the last body that does.

@@ -109,7 +109,7 @@ impl Elaborator<'_> {
         }
         let parts = self.in_own_axes(&item.value, mass, may_be_one, scope)?;
         let Some(along) = &item.along else { return Some(parts) };
-        let (turns, Ok(parts)) = (self.orientation(along, scope)?, parts.try_into()) else { return None };
+        let (turns, Ok(parts)) = (self.turns(along, "the inertia of a body", scope)?, parts.try_into()) else { return None };
         Some(turned_tensor(&mut self.arena, &turns, parts).map(|part| self.settled(part)).to_vec())
     }
 

@@ -6,7 +6,6 @@
 use super::declare::Written;
 use super::declare::duplicate;
 use super::elaborate::Elaborator;
-use super::frames::start_words;
 use super::layout::OpenPart;
 use super::{Name, Of};
 use crate::diag::{ArrayFact, EquationFact, GrammarFact, NameFact};
@@ -46,6 +45,7 @@ pub(super) struct Register {
     pub(super) joints: Vec<(EntityId, ast::Shared<ast::JointItem>)>,
     pub(super) forces: Vec<(EntityId, ast::Shared<ast::JointItem>)>,
     pub(super) gravity: Option<ast::Shared<ast::Gravity>>,
+    pub(super) starts: Vec<(ast::Shared<ast::StartItem>, Context)>,
     pub(super) outputs: Vec<(EntityId, ast::Shared<ast::OutputItem>)>,
     output_names: BTreeMap<(SpaceId, String), BTreeSet<Vec<usize>>>,
     /// The parts as written, without an entry for the mechanism.
@@ -206,6 +206,7 @@ impl Elaborator<'_> {
                 self.diag.refuse::<()>(&gravity.keyword, NameFact::Duplicate { name: "gravity".to_owned(), first: "another `gravity`" });
             }
             Item::Gravity(gravity) => register.gravity = Some(gravity.clone()),
+            Item::Start(start) => register.starts.push((start.clone(), context.clone())),
             Item::Output(output) => self.output_item(output, context, place, register),
             Item::Part(part) => self.part(part, context, place, register),
             Item::For(repeated) => {
@@ -379,7 +380,7 @@ impl Elaborator<'_> {
             let Some(indices) = self.written_indices(&mark.indices, mark, context) else { continue };
             let word = mark.name.to_string();
             let is_free = self.names.ambient == Ambient::Space && self.names.ambient.coordinate(&word).is_some();
-            if start_words(self.names.ambient).any(|known| known == word) && !is_free {
+            if self.names.ambient.start_words().any(|known| known == word) && !is_free {
                 self.names.misused.insert(format!("{}.{word}", self.names.frames[frame.0].name));
                 self.once(mark, |this| this.refuse::<()>(&mark.name, NameFact::Reserved { name: word }));
                 continue;

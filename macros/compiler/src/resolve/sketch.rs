@@ -6,7 +6,7 @@ use crate::diag::Range;
 use crate::expr::{Derivatives, Expr, Leaf};
 use crate::geometry::{Components, JointQuantity, Place, Triad};
 use crate::model::sketch::{Instantiation, JointArgument, LocalVector, MOST_DRAWN, NamedPoint, Sketch};
-use crate::names::{Entity, EntityId, Fixed, FrameId, FunctionValue, Scalar, Scope, Value};
+use crate::names::{Entity, EntityId, Fixed, FunctionValue, Scalar, Scope, Value};
 use crate::quantity::{Ambient, InferredDim};
 
 impl Elaborator<'_> {
@@ -72,7 +72,7 @@ impl Elaborator<'_> {
         Some(match value {
             Value::Point(point) => JointArgument::Point(local(point)),
             Value::Axis(axis) => JointArgument::Axis(local(axis)),
-            Value::Body(frame) => JointArgument::Body(body(frame)),
+            Value::Body(frame) => JointArgument::Body(frame.body()),
             Value::Scalar(scalar) => match self.quantity_in_sketch(scalar.expr) {
                 Some(quantity) => JointArgument::Joint(quantity),
                 None if self.names.ambient == Ambient::Space && !self.follows_from_time(scalar.expr) => return None,
@@ -119,10 +119,5 @@ impl Elaborator<'_> {
 }
 
 fn local(fixed: Fixed) -> LocalVector {
-    LocalVector { body: body(fixed.frame), local: fixed.local }
-}
-
-/// Ground is the first frame.
-fn body(frame: FrameId) -> Option<usize> {
-    frame.0.checked_sub(1)
+    LocalVector { body: fixed.frame.body(), local: fixed.local }
 }

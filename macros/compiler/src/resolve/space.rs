@@ -10,14 +10,16 @@ use super::elaborate::Elaborator;
 use super::statement::ScalarEquation;
 use crate::diag::{ArityFact, Range, ValueFact, Wanted};
 use crate::expr::{Expr, Frame, Leaf, Mark, Node, Triple, cross, dot};
-use crate::geometry::{Components, Geometry, JointQuantity, Place, Relationship, Triad, Turn, rotation};
-use crate::model::{DECLARED, declared_angular};
+use crate::geometry::{
+    Components, Geometry, JointQuantity, Place, Relationship, Rotation, Triad, Turn, angle_near, longest, natural, rodrigues, rotated,
+    rotation,
+};
+use crate::model::{DECLARED, JointStart, declared_angular};
 use crate::names::{Arguments, Fixed, FrameId, Scalar, Scope, Value, Vector};
 use crate::quantity::{Dim, InferredDim, Role};
 use crate::syntax::ast::{self, Statement};
 use proc_macro2::Ident;
 use std::collections::HashMap;
-use std::rc::Rc;
 
 /// Built-in functions of space.
 pub(crate) const BUILTINS: &[&str] = &["across", "along", "joint_angle", "misalignment", "turn", "x_axis", "y_axis", "z_axis"];
@@ -25,18 +27,14 @@ pub(crate) const BUILTINS: &[&str] = &["across", "along", "joint_angle", "misali
 /// Properties of expressions while a mechanism is resolved.
 #[derive(Default)]
 pub(super) struct Notes {
-    geometry: Geometry,
+    pub(super) geometry: Geometry,
+    /// Declared starts of angles and displacements of joints.
+    pub(super) starts: Vec<JointStart>,
     /// Relations that hold where these expressions vanish.
     origins: HashMap<Vec<Expr>, Relationship>,
     /// Points whose difference has these components: the second minus the first.
     differences: HashMap<[Expr; 3], (Place, Place)>,
     triads: HashMap<(Place, Option<Triple>), Triad>,
-}
-
-impl From<Notes> for Geometry {
-    fn from(space: Notes) -> Geometry {
-        space.geometry
-    }
 }
 
 impl Elaborator<'_> {
@@ -57,7 +55,7 @@ impl Elaborator<'_> {
 
     /// A vector fixed in a body, by its components in ground.
     pub(super) fn turned(&mut self, fixed: Fixed) -> Components {
-        match (body(fixed.frame), fixed.local.in_space()) {
+        match (fixed.frame.body(), fixed.local.in_space()) {
             (Some(body), Some(local)) => Components::space(self.arena.turned(body, local)),
             _ => fixed.local,
         }
@@ -134,7 +132,7 @@ impl Elaborator<'_> {
             }
             "turn" => {
                 let angle = self.scalar_of(&arguments[1], Dim::ANGLE, scope)?.expr;
-                Some(Value::Orientation([Turn { axis: triad.axes[2], angle }].into()))
+                Some(Value::Orientation([Rotation::Turn(Turn { axis: triad.axes[2], angle })].into()))
             }
             "across" | "along" => {
                 let second = values[1].clone();
@@ -182,10 +180,7 @@ impl Elaborator<'_> {
     /// The axis of the frame that follows the one nearest to `axis`: x for z, y for x, z for y.
     fn some_direction_across(&mut self, axis: Triple) -> Triple {
         let values = self.numbers(&self.defaults, &axis);
-        let size = |k: usize| if values[k].is_finite() { values[k].abs() } else { 0.0 };
-        let longest = (0..3).fold(0, |longest, k| if size(k) > size(longest) { k } else { longest });
-        let (zero, one) = (self.arena.integer(0), self.arena.integer(1));
-        [0, 1, 2].map(|k| if k == (longest + 1) % 3 { one } else { zero })
+        natural(&mut self.arena)[(longest(&values) + 1) % 3]
     }
 
     /// The axes of a triad in ground.
@@ -236,12 +231,8 @@ impl Elaborator<'_> {
         let bodies = self.names.frames.len() as u32 - 1;
         let expr = self.quantity(JointQuantity::Angle(one, two), |arena, number| {
             let near = arena.leaf(Leaf::Coordinate(DECLARED + Role::SPACE.len() as u32 * bodies + number));
-            let (s, c) = (dot(arena, y, other), dot(arena, x, other));
-            let (sine, cosine) = (arena.sin(near), arena.cos(near));
-            let [sc, cs, cc, ss] = [(s, cosine), (c, sine), (c, cosine), (s, sine)].map(|(a, b)| arena.mul(a, b));
-            let (above, below) = (arena.sub(sc, cs), arena.add(cc, ss));
-            let rest = arena.binary(crate::expr::Binary::Atan2, above, below);
-            arena.add(near, rest)
+            let (sine, cosine) = (dot(arena, y, other), dot(arena, x, other));
+            angle_near(arena, near, sine, cosine)
         });
         Scalar { expr, measure: InferredDim::Known(Dim::ANGLE) }
     }
@@ -308,20 +299,41 @@ impl Elaborator<'_> {
         None
     }
 
-    /// Evaluates an orientation.
-    pub(super) fn orientation(&mut self, written: &ast::Expression, scope: &Scope) -> Option<Rc<[Turn]>> {
-        match self.value(written, scope)? {
-            Value::Orientation(turns) => Some(turns),
-            other => self.not_a(written.range, Wanted::Orientation, other.kind()),
+    /// Evaluates an orientation that consists of turns alone.
+    pub(super) fn turns(&mut self, written: &ast::Expression, place: &'static str, scope: &Scope) -> Option<Vec<Turn>> {
+        let rotations = match self.value(written, scope)? {
+            Value::Orientation(rotations) => rotations,
+            other => return self.not_a(written.range, Wanted::Orientation, other.kind()),
+        };
+        let turns: Option<Vec<Turn>> = rotations.iter().map(|rotation| rotation.turn()).collect();
+        turns.or_else(|| self.refuse(written.range, ValueFact::NotFixed { place }))
+    }
+
+    /// `body.orientation`
+    pub(super) fn orientation_of(&self, frame: FrameId) -> Value {
+        Value::Orientation(frame.body().map(Rotation::OfBody).into_iter().collect())
+    }
+
+    /// The rows that make two orientations equal: those of `misalignment` where each is fixed in a body, otherwise those of
+    /// `drive_orientation`.
+    pub(super) fn between_orientations(&mut self, one: &[Rotation], two: &[Rotation]) -> Vector {
+        let triads = [one, two].map(|rotations| Triad::of(&mut self.arena, rotations));
+        if let [Some(one), Some(two)] = triads {
+            return self.misalignment(one, two);
         }
+        let axes = natural(&mut self.arena);
+        let [one, two] = [one, two].map(|rotations| rotated(&mut self.arena, rotations, axes));
+        let parts = rodrigues(&mut self.arena, one, two);
+        Vector { parts: Components::space(parts), measure: InferredDim::Known(Dim::ANGLE) }
+    }
+
+    /// A vector after an orientation.
+    pub(super) fn oriented(&mut self, rotations: &[Rotation], vector: Vector) -> Option<Vector> {
+        let [parts] = rotated(&mut self.arena, rotations, [vector.parts.in_space()?]);
+        Some(Vector { parts: Components::space(parts), ..vector })
     }
 }
 
-/// Body of a frame; `None` for ground.
-fn body(frame: FrameId) -> Option<usize> {
-    frame.0.checked_sub(1)
-}
-
 fn place(fixed: Fixed) -> Option<Place> {
-    Some(Place { body: body(fixed.frame), local: fixed.local.in_space()? })
+    Some(Place { body: fixed.frame.body(), local: fixed.local.in_space()? })
 }

@@ -4,9 +4,9 @@ use super::elaborate::Elaborator;
 use super::{Name, Parameter, Requirement};
 use crate::diag::{EquationFact, Fact, Range, ValueFact};
 use crate::expr::{Expr, Node, Unary, Values, evaluate};
+use crate::hints::argument_of;
 use crate::names::{FrameId, Instance, Key, Scalar, Scope, Value};
 use crate::syntax::ast::{self, ExpressionKind, Relation, Statement};
-use proc_macro2::Ident;
 use std::collections::BTreeSet;
 
 /// One scalar equation: left minus right side, and the source range for its errors.
@@ -250,15 +250,6 @@ impl Elaborator<'_> {
         };
         let values = Values { time: 0.0, parameters, coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
         evaluate(&self.arena, roots, &values)
-    }
-}
-
-/// Parameter on one side of a condition: `P`, or `P.body`.
-fn argument_of(side: &ast::Expression) -> Option<&Ident> {
-    match &side.kind {
-        ExpressionKind::Path(path) => path.name.as_ref(),
-        ExpressionKind::Field(owner, _) => argument_of(owner),
-        _ => None,
     }
 }
 

@@ -58,6 +58,7 @@ impl Elaborator<'_> {
         self.bodies(&own);
         self.marks(&own);
         self.joints(&own);
+        self.joint_starts(&own);
         self.outputs(&own);
         places(&own).collect()
     }

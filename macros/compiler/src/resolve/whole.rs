@@ -1,12 +1,11 @@
 //! Resolves the items of a mechanism: registered by name first, then resolved once each, on first use.
 
-use super::bounds::in_words;
 use super::elaborate::Elaborator;
 use super::register::{INPUT_PARTS, Register, is_one_of_many};
 use super::{Layout, Method, Model, Name, Parameter};
 use crate::diag::nearest;
 use crate::diag::{Diag, NameFact, Range, ValueFact};
-use crate::hints;
+use crate::hints::{self, in_words};
 use crate::names::{Context, Declared, Entity, EntityId, FunctionValue, Key, Names, PartArguments, Progress, Scalar, Scope, Value};
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{self, Definition};
@@ -31,6 +30,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     let mut bodies = work.bodies(&register);
     let lengths = work.marks(&register);
     let joints = work.joints(&register);
+    work.joint_starts(&register);
     let (declared_forces, forces) = work.forces(&register);
     work.gather_masses(&mut bodies);
     work.fits_freedoms(tree.task, &register);
@@ -51,7 +51,8 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
         visibility: tree.visibility.clone(),
         name: tree.name.clone(),
         ambient: tree.ambient,
-        space: space.into(),
+        space: space.geometry,
+        starts: space.starts,
         task: tree.task,
         closing: tree.closing,
         allows_far_start: tree.allows_far_start,

@@ -81,6 +81,8 @@ pub enum Item {
     Force(Shared<JointItem>),
     /// `gravity = (x, y);`
     Gravity(Shared<Gravity>),
+    /// `start joint.angle = value;`
+    Start(Shared<StartItem>),
     /// `output name = value;`, `slice output name = value;` or `output name = value with jerk;`
     Output(Shared<OutputItem>),
     /// `component Name(parameters) { items }`
@@ -252,6 +254,15 @@ pub struct Feature {
     pub zero: Option<Expression>,
 }
 
+/// `start hinge.angle = …;`
+#[derive(Clone, Debug)]
+pub struct StartItem {
+    /// The angle or the displacement of a joint.
+    pub quantity: Expression,
+    /// Value.
+    pub value: Expression,
+}
+
 /// `start angle = …;`
 #[derive(Clone, Debug)]
 pub struct Start {
@@ -283,6 +294,8 @@ pub struct JointItem {
     pub is_redundant: bool,
     /// True if its load can be computed alone.
     pub is_slice: bool,
+    /// `#[velocity]`, if its equations of velocities are not to be integrated.
+    pub velocity: Option<Ident>,
     /// Name.
     pub name: Ident,
     /// Indices, if it is an element of an array.

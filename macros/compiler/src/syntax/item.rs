@@ -2,12 +2,12 @@
 
 use super::ast::{
     Closing, Docs, Expression, ExpressionKind, Feature, Following, FrameItem, FunctionItem, Gravity, Item, JointItem, Let, Limits, Marks,
-    MassItem, Mechanism, ParameterItem, Requests, Shared, Start, Task, TimeRange, Use,
+    MassItem, Mechanism, ParameterItem, Requests, Shared, Start, StartItem, Task, TimeRange, Use,
 };
 use super::dimension::{dimension, required_dimension};
 use super::expression::{declared, expression};
 use super::joint::{energy, freedom, joint};
-use super::options::{Options, options, passing};
+use super::options::{Options, options, passing, velocity};
 use super::output::output;
 use super::repeated::{component, part, repeated_items, repeated_marks};
 use super::salvage;
@@ -154,17 +154,19 @@ pub(super) fn items(content: ParseStream, place: ItemContext, diag: &mut Diag) -
 }
 
 fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item> {
-    let (docs, others) = attributes(input)?;
+    let (docs, mut others) = attributes(input)?;
     if input.peek(Token![;]) {
         return wrong(input.span(), GrammarFact::StraySemicolon);
     }
     let Some(keyword) = keyword(input) else {
         return expected(
             input,
-            "an item: `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` or `use`",
+            "an item: `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `start`, `output`, `range`, `part`, `for`, `component`, `function` or `use`",
         );
     };
     let word = keyword.to_string();
+    let is_equation = matches!(word.as_str(), "joint" | "drive" | "redundant") || word == "slice" && slices_load(input);
+    let velocity = if is_equation { velocity(&mut others)? } else { None };
     let docs = passing(docs, others, &word)?;
     if !place.is_top && matches!(word.as_str(), "gravity" | "use" | "function" | "ground" | "component" | "range") {
         return wrong(&keyword, GrammarFact::OnlyAtTheTop { word });
@@ -177,16 +179,17 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
         "function" => Item::Function(Shared::new(function(input)?)),
         "ground" => Item::Ground(Shared::new(ground(input, docs, diag)?)),
         "body" => Item::Body(Shared::new(body(input, docs, diag)?)),
-        "joint" | "drive" | "redundant" => Item::Joint(Shared::new(joint(input, docs)?)),
+        "joint" | "drive" | "redundant" => Item::Joint(Shared::new(JointItem { velocity, ..joint(input, docs)? })),
         "freedom" => Item::Joint(Shared::new(freedom(input, docs)?)),
         // A force may depend on time.
         "force" => Item::Force(Shared::new(JointItem { is_drive: true, ..joint(input, docs)? })),
         "energy" => Item::Force(Shared::new(energy(input, docs)?)),
         "gravity" => Item::Gravity(Shared::new(gravity(input)?)),
+        "start" => Item::Start(Shared::new(joint_start(input)?)),
         "slice" if slices_load(input) => {
             Ident::parse_any(input)?;
             let is_force = self::keyword(input).is_some_and(|word| word == "force");
-            let item = JointItem { is_slice: true, ..joint(input, docs)? };
+            let item = JointItem { is_slice: true, velocity, ..joint(input, docs)? };
             // A force may depend on time.
             if is_force { Item::Force(Shared::new(JointItem { is_drive: true, ..item })) } else { Item::Joint(Shared::new(item)) }
         }
@@ -356,6 +359,12 @@ fn limits(input: ParseStream) -> Parsed<Limits> {
 fn gravity(input: ParseStream) -> Parsed<Gravity> {
     let keyword = Ident::parse_any(input)?;
     Ok(Gravity { keyword, value: value(input)? })
+}
+
+/// `start joint.angle = value;`
+fn joint_start(input: ParseStream) -> Parsed<StartItem> {
+    Ident::parse_any(input)?;
+    Ok(StartItem { quantity: expression(input)?, value: value(input)? })
 }
 
 /// `range t in from..to;`

@@ -43,7 +43,7 @@ pub(super) fn joint(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
         () if is_value(input, word) => bare(input, word, &name)?,
         () => instance(input)?,
     };
-    Ok(JointItem { docs, is_drive, is_redundant, is_slice: false, name, indices, body })
+    Ok(JointItem { docs, is_drive, is_redundant, is_slice: false, velocity: None, name, indices, body })
 }
 
 /// `freedom name = value from start at rate;`
@@ -79,7 +79,7 @@ pub(super) fn freedom(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
     }
     semicolon(input)?;
     let body = JointBody::Freedom(Box::new(FreedomItem { value, from, at }));
-    Ok(JointItem { docs, is_drive: true, is_redundant: false, is_slice: false, name, indices, body })
+    Ok(JointItem { docs, is_drive: true, is_redundant: false, is_slice: false, velocity: None, name, indices, body })
 }
 
 /// `energy name = value;`
@@ -87,7 +87,7 @@ pub(super) fn energy(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
     Ident::parse_any(input)?;
     let (name, indices) = declared(input, "the name of the energy")?;
     let body = JointBody::Energy(Box::new(value(input)?));
-    Ok(JointItem { docs, is_drive: true, is_redundant: false, is_slice: false, name, indices, body })
+    Ok(JointItem { docs, is_drive: true, is_redundant: false, is_slice: false, velocity: None, name, indices, body })
 }
 
 /// `{ lhs == rhs; … }`, with or without a semicolon after it.

@@ -81,6 +81,16 @@ pub(super) fn passing(mut docs: Docs, others: Vec<Attribute>, keyword: &str) -> 
     Ok(docs)
 }
 
+/// Takes `#[velocity]` from the attributes of a joint.
+pub(super) fn velocity(others: &mut Vec<Attribute>) -> Parsed<Option<syn::Ident>> {
+    let is_meant = |attribute: &Attribute| attribute.name == "velocity" && attribute.rest.is_empty();
+    let found = others.iter().position(is_meant).map(|at| others.remove(at).name);
+    match others.iter().find(|attribute| is_meant(attribute)) {
+        Some(second) => wrong(&second.name, GrammarFact::AttributeTwice { name: "velocity".to_owned() }),
+        None => Ok(found),
+    }
+}
+
 /// `#[allow(far_start)]`
 fn allowed(attribute: &Attribute) -> Parsed<()> {
     match word(attribute) {

@@ -67,7 +67,7 @@ pub(super) fn salvaged(input: ParseStream, ambient: Ambient) -> Option<Item> {
                 _ => call(input),
             };
             let body = body.unwrap_or_else(|| JointBody::Equations(Vec::new()));
-            let joint = JointItem { docs, is_drive: word != "joint", is_redundant: false, is_slice, name, indices, body };
+            let joint = JointItem { docs, is_drive: word != "joint", is_redundant: false, is_slice, velocity: None, name, indices, body };
             if ["force", "energy"].contains(&word) { Item::Force(Shared::new(joint)) } else { Item::Joint(Shared::new(joint)) }
         }
     })

@@ -292,7 +292,7 @@ pub(super) fn is_item(input: ParseStream) -> bool {
         "use" => true,
         "gravity" => input.peek2(Token![=]),
         "force" | "energy" | "freedom" | "param" | "input" | "let" | "function" | "body" | "joint" | "redundant" | "drive" | "output"
-        | "slice" | "range" | "component" | "part" | "for" => input.peek2(syn::Ident),
+        | "slice" | "start" | "range" | "component" | "part" | "for" => input.peek2(syn::Ident),
         _ => false,
     }
 }

@@ -71,6 +71,8 @@ pub struct System {
     pub reached: Vec<Option<(usize, Option<usize>)>>,
     /// In space: the bodies whose orientation follows from the places of their ends.
     pub links: Vec<usize>,
+    /// In space: angles and displacements of joints less their declared starts, in the order of these.
+    pub off_starts: Vec<Expr>,
     /// Equations of motion by ω in the axes of the bodies that are free to turn, if forces decide the motion and there are such bodies.
     pub by_spins: Option<EquationsBySpins>,
 }
@@ -260,7 +262,7 @@ impl System {
 pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
     has_bodies(model, diag)?;
     let mut arena = model.arena.clone();
-    let Choice { coordinates, mut rows, outputs, frames, reached, links, balance, loads } = match model.ambient {
+    let Choice { coordinates, mut rows, outputs, frames, reached, links, balance, loads, off_starts } = match model.ambient {
         Ambient::Plane => in_plane(model, &mut arena),
         Ambient::Space => forest::reduce(model, &mut arena, forest::FreeSpeeds::OfQuaternion),
     };
@@ -314,6 +316,7 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
         loads,
         reached,
         links,
+        off_starts,
         by_spins,
     })
 }
@@ -343,6 +346,8 @@ struct Choice {
     reached: Vec<Option<(usize, Option<usize>)>>,
     /// In space: the binary links.
     links: Vec<usize>,
+    /// Angles and displacements of joints less their declared starts, in the order of these.
+    off_starts: Vec<Expr>,
     /// Forces by the rates of the unknowns, where they decide the motion.
     balance: Option<Balance>,
     /// In space: the equations of the loads.
@@ -359,6 +364,7 @@ fn in_plane(model: &Model, arena: &mut Arena) -> Choice {
         frames: Vec::new(),
         reached: Vec::new(),
         links: Vec::new(),
+        off_starts: Vec::new(),
         loads: None,
     }
 }

@@ -6,7 +6,7 @@
 //! ```
 
 use super::{Coordinate, Equation, Level};
-use crate::diag::{Diag, SystemFact};
+use crate::diag::{Diag, NoPosition, SystemFact};
 use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Seed, Substitution, derivative};
 use crate::model::{Model, Said};
 use crate::quantity::Dim;
@@ -120,14 +120,25 @@ fn affine(arena: &mut Arena, residual: Expr) -> (Vec<(u32, Expr)>, Expr) {
 
 /// Replaces rows of velocities by the rows of positions of which they are the rates, and refuses the others if they have to be solved.
 pub(super) fn integrate(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], rows: &mut [Row], diag: &mut Diag) {
+    for joint in &model.joints {
+        if let Some(range) = joint.velocity.filter(|_| !joint.residuals.iter().any(|residual| residual.is_velocity)) {
+            diag.refuse::<()>(range, SystemFact::NoVelocity { joint: joint.name.to_string() });
+        }
+    }
     let mut said = Said::default();
     for row in rows.iter_mut().filter(|row| row.is_velocity && !row.is_initial) {
         let joint = &model.joints[row.joint];
-        if let Some(phi) = integral(arena, coordinates, row.residual) {
-            (row.residual, row.is_velocity) = (phi, false);
-        } else if model.task.is_solved() && said.is_new(&joint.name) {
+        let obstacle = match integral(arena, coordinates, row.residual) {
+            Ok(_) if joint.velocity.is_some() => NoPosition::Kept,
+            Ok(phi) => {
+                (row.residual, row.is_velocity) = (phi, false);
+                continue;
+            }
+            Err(obstacle) => obstacle,
+        };
+        if model.task.is_solved() && said.is_new(&joint.name) {
             let (name, of) = (joint.name.to_string(), joint.residuals.len());
-            diag.refuse::<()>(&joint.name, SystemFact::Nonholonomic { joint: name, row: row.row + 1, of });
+            diag.refuse::<()>(&joint.name, SystemFact::Nonholonomic { joint: name, row: row.row + 1, of, obstacle });
         }
     }
 }
@@ -139,7 +150,7 @@ pub(super) fn integrate_again(arena: &mut Arena, coordinates: &[Coordinate], row
     for (row, is_velocity) in rows.iter_mut().zip(at_level) {
         if row.is_velocity
             && !is_velocity
-            && let Some(phi) = integral(arena, coordinates, row.residual)
+            && let Ok(phi) = integral(arena, coordinates, row.residual)
         {
             (row.residual, row.is_velocity) = (phi, false);
         }
@@ -170,22 +181,25 @@ pub(super) fn begin_at_start(model: &Model, arena: &mut Arena, coordinates: &[Co
 }
 
 /// Σ a (q − q₀) − b t of a row of velocities a · u = b with constant factors; q₀ are the declared start values.
-fn integral(arena: &mut Arena, coordinates: &[Coordinate], residual: Expr) -> Option<Expr> {
+fn integral(arena: &mut Arena, coordinates: &[Coordinate], residual: Expr) -> Result<Expr, NoPosition> {
     let residual = arena.plain(residual, &mut HashMap::new());
     let (factors, side) = affine(arena, residual);
     let is_fixed = |arena: &Arena, expr: Expr| arena.leaves(expr).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_)));
-    if !is_fixed(arena, side) || !factors.iter().all(|(_, factor)| is_fixed(arena, *factor)) {
-        return None;
+    if !factors.iter().all(|(_, factor)| is_fixed(arena, *factor)) {
+        return Err(NoPosition::Factors);
+    }
+    if !is_fixed(arena, side) {
+        return Err(NoPosition::Side);
     }
     let time = arena.leaf(Leaf::Time);
     let way = arena.mul(side, time);
     let mut phi = arena.neg(way);
     for (number, factor) in factors {
         let q = arena.leaf(Leaf::Coordinate(number));
-        let start = coordinates.get(number as usize)?.start;
+        let start = coordinates.get(number as usize).ok_or(NoPosition::Factors)?.start;
         let change = start.map_or(q, |start| arena.sub(q, start));
         let term = arena.mul(factor, change);
         phi = arena.add(phi, term);
     }
-    Some(phi)
+    Ok(phi)
 }

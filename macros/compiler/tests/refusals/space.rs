@@ -115,6 +115,15 @@ refused! {
     hinge a_drive_of_the_plane_in_space: "drive m = «drive_angle»(b, 60rpm * t);" => "`drive_angle` is for the plane; in space write `drive_rotation(joint, law)`";
     driven a_joint_of_the_plane_in_space: "joint c = «absolute_angle»(b, 0deg);" => "`absolute_angle` is for the plane; in space write an equation of `joint.angle`, or `absolute_orientation(a, b)`";
     driven a_start_angle_in_space: "body c { start «angle» = 30deg; }" => "a body in space does not start with `angle`\nnote: it starts with `x`, `y`, `z`, `position` or `orientation`, such as `start orientation = turn((0, 0, 1), 30deg);`";
+    driven a_start_of_a_joint_by_its_name: "start «a» = 30deg;" => "`a` is no angle and no displacement of a joint\nhelp: write `start a.angle = 30deg;`; where a body starts is told in the body, as in `start position = …;`";
+    driven a_start_of_a_sum: "start «a.angle + 1rad» = 30deg;" => "`a.angle + 1rad` is no angle and no displacement of a joint\nhelp: write `start joint.angle = 30deg;`; where a body starts is told in the body, as in `start position = …;`";
+    driven two_starts_of_a_joint: "start a.angle = 30deg; start «a.angle» = 31deg;" => "the start of `a` gives `angle` twice\nhelp: take one away";
+    driven a_start_of_a_joint_in_mm: "start a.angle = «30mm»;" => "expected an angle (rad), found a length (m)";
+    driven a_start_of_a_joint_that_moves: "start a.angle = «a.angle»;" => "a start value may depend on parameters only, not on what moves\nhelp: write where it is about";
+    driven a_start_with_the_orientation_of_another: "body c { start orientation = «b.orientation * turn((0, 0, 1), 30deg)»; }" => "a start value may depend on parameters only, not on what moves\nhelp: write where it is about";
+    driven an_orientation_that_is_an_angle: "joint c = { «b.orientation == 30deg»; }" => "cannot equate an orientation with a number\nhelp: an orientation is a product of turns, such as `turn((0, 0, 1), 30deg)`";
+    driven an_orientation_after_a_vector: "output o = (1, 0, 0) * «b.orientation»;" => "expected a number or a vector, found an orientation\nhelp: orientations are multiplied, and one stands before the vector that it turns";
+    driven an_orientation_as_an_output: "output o = «b.orientation»;" => "an output is a number, a vector, a point or a body that moves, found an orientation\nhelp: write `state.body().orientation()` in the program; `body.orientation * (1, 0, 0)` is a direction";
     driven a_start_without_axis: "body c { start orientation = «30deg»; }" => "expected an orientation, such as `turn((0, 0, 1), 30deg)`, found a number";
     driven a_turn_with_its_arguments_the_other_way_round: "body c { start orientation = turn(«30deg», (0, 0, 1)); }" => "`turn` takes its axis first\nhelp: write `turn((0, 0, 1), 30deg)`";
     driven a_point_of_two_components: "body c { point P = «(1m, 0m)»; }" => "a vector in space has 3 components, found 2\nhelp: write the third, which is 0 in the plane of x and y";
@@ -181,5 +190,6 @@ crate::refusals! {
 }
 
 crate::refusals! {
+    mechanism a_start_of_a_joint_in_the_plane: "mechanism M { body b {} joint h = revolute(ground.position, b.position); start «b.angle» = 30deg; drive d = drive_angle(b, 1rad_s * t); }" => "a start in the plane is that of a body\nhelp: write `start angle = …;` in `body b { … }`";
     mechanism a_turn_about_a_letter: "mechanism M in space { body c { start orientation = turn(«z», 30deg); } }" => "nothing is called `z` here\nhelp: write `(0, 0, 1)` for the direction of z";
 }

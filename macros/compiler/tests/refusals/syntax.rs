@@ -10,8 +10,8 @@ crate::refusals! {
     item keyword_that_is_used_as_a_name: "body «async» { point B = (1m, 0m); } joint weld = weld(async.position, async.B); output end = async.B;" => "`async` is a word of Rust and cannot be a name\nhelp: write `async_`";
     item keyword_since_2024: "body «gen» { point B = (1m, 0m); }" => "`gen` is a word of Rust and cannot be a name\nhelp: write `gen_`";
     item underscore_that_is_used_as_a_name: "body «_» { point B = (1m, 0m); } joint weld = weld(_.position, crank.O);" => "expected the name of the body, found `_`";
-    item item_is_unknown: "«parm» a: Length = 10mm;" => "`parm` is no item of a mechanism\nhelp: did you mean `param`?\nnote: items are `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` and `use`";
-    item item_is_no_word: "«5» a: Length = 10mm;" => "expected an item: `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` or `use`, found `5`";
+    item item_is_unknown: "«parm» a: Length = 10mm;" => "`parm` is no item of a mechanism\nhelp: did you mean `param`?\nnote: items are `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `start`, `output`, `range`, `part`, `for`, `component`, `function` and `use`";
+    item item_is_no_word: "«5» a: Length = 10mm;" => "expected an item: `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `start`, `output`, `range`, `part`, `for`, `component`, `function` or `use`, found `5`";
     item item_of_a_body_is_unknown: "body b { «pointt» P = (0mm, 0mm); }" => "`pointt` is no item of a body\nhelp: did you mean `point`?\nnote: a body has `point`, `axis`, `start`, `mass`, `center` and `inertia`";
     item body_without_braces: "body b«;»" => "expected `{` and the points of the body, found `;`";
     item equal_sign_is_missing: "output b «crank»;" => "expected `=`, found `crank`";
@@ -37,10 +37,10 @@ crate::refusals! {
     item function_of_two: "function f(a: Angle«,» b: Angle) -> Length = 1mm;" => "a function here has one argument\nhelp: what else it depends on is a `param` or a `let`, which it sees";
     item function_without_result: "function f(a: Angle) «=» 1mm;" => "expected `->` and the dimension of the value, found `=`";
     item exponent_of_a_dimension: "param a: Length^«99» = 1;" => "the exponent of a dimension is at most 6";
-    item attribute_is_unknown: "#[«inline»] output b = crank.x;" => "`#[inline]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`";
-    item attribute_removes_a_field: "#[«cfg»(all())] param a: Length = 3mm;" => "`#[cfg]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`";
-    item option_of_a_mechanism_at_a_parameter: "#[«points»] param a: Length = 3mm;" => "`#[points]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`";
-    item serde_at_a_body: "#[«serde»(rename = \"c\")] body b { }" => "`#[serde]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`";
+    item attribute_is_unknown: "#[«inline»] output b = crank.x;" => "`#[inline]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`, `#[velocity]` before `joint` and `drive`";
+    item attribute_removes_a_field: "#[«cfg»(all())] param a: Length = 3mm;" => "`#[cfg]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`, `#[velocity]` before `joint` and `drive`";
+    item option_of_a_mechanism_at_a_parameter: "#[«points»] param a: Length = 3mm;" => "`#[points]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`, `#[velocity]` before `joint` and `drive`";
+    item serde_at_a_body: "#[«serde»(rename = \"c\")] body b { }" => "`#[serde]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`, `#[velocity]` before `joint` and `drive`";
     item two_equal_signs: "let a «=»= 3mm;" => "expected `=`, found `==`\nhelp: a name gets its value with `=`; `==` stands between the sides of an equation";
     item number_without_its_first_digit: "param a: Length = «.»5m;" => "expected an expression, found `.`\nhelp: a number begins with a digit, such as `0.5`";
     item joint_without_a_name: "joint «revolute»(ground.C, crank.A);" => "a joint has a name of its own\nhelp: write `joint name = revolute(…);`";
@@ -49,14 +49,14 @@ crate::refusals! {
     item let_that_changes: "let «mut» a = 3mm;" => "nothing here changes\nhelp: take `mut` away; what is to be set at run time is a `param`";
     item public_item: "«pub» param a: Length = 3mm;" => "all of a mechanism is as public as the mechanism\nhelp: take `pub` away";
     item body_by_another_name: "«link» b { point P = (0mm, 0mm); }" => "`link` is no item of a mechanism\nhelp: write `body b { … }`";
-    item function_as_in_rust: "«fn» f(x: Angle) -> Length = 1mm;" => "`fn` is no item of a mechanism\nhelp: did you mean `function`?\nnote: items are `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` and `use`";
+    item function_as_in_rust: "«fn» f(x: Angle) -> Length = 1mm;" => "`fn` is no item of a mechanism\nhelp: did you mean `function`?\nnote: items are `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `start`, `output`, `range`, `part`, `for`, `component`, `function` and `use`";
     item power_as_a_method: "output b = length.«powi»(2);" => "there are no methods here\nhelp: a power is written `a^b`";
     item glob_use: "use crate::«*»;" => "expected the name of a constraint or `{ … }`, found `*`";
     mechanism keyword_is_misspelled: "pub «mechansim» Crank { body crank {} }" => "expected `mechanism Name { … }`, found `mechansim`";
     mechanism mechanism_without_a_name: "pub mechanism «{» body crank {} }" => "expected the name of the mechanism, found `{`";
     mechanism mechanism_without_items: "pub mechanism Crank«;»" => "expected `{` and the items of the mechanism, found `;`";
     mechanism nothing_follows: "#[equations_only] mechanism Crank { body crank {} joint a = { crank.x == 0; } } «mechanism» Rocker {}" => "nothing may follow the mechanism\nhelp: write one `mechanism!` for each mechanism";
-    mechanism option_is_unknown: "#[«equation_only»] mechanism Crank { body crank {} }" => "`#[equation_only]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`";
+    mechanism option_is_unknown: "#[«equation_only»] mechanism Crank { body crank {} }" => "`#[equation_only]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`, `#[velocity]` before `joint` and `drive`";
     mechanism option_twice: "#[serde] #[serde(default)] #[«serde»] mechanism Crank { body crank {} }" => "`#[serde]` stands here twice\nhelp: take one of them away";
     item comment_of_another_language: "«#» the slider\noutput q = crank.x;" => "`#` begins an attribute, such as `#[picture]`\nhelp: a comment begins with `//`";
     item comma_after_an_item: "let far = 3mm«,» output q = crank.x + far;" => "expected `;`, found `,`\nhelp: `;` ends each item, `,` stands between arguments";
@@ -76,7 +76,7 @@ crate::refusals! {
     item force_without_parentheses: "force f = { at crank.A: «-100N», 0N; }" => "the coordinates of a force stand in parentheses\nhelp: write `(-100N, 0N)`";
     item unit_raised_to_a_power: "let a = «3m_s»^2;" => "`3m_s^2` raises the number with its unit to a power\nhelp: the unit is `3m_s2`; a square is `(3m_s)^2`";
     item constant_of_rust: "drive a = drive_angle(ram, «std::f64::consts::PI» * 1rad);" => "`std::f64::consts::PI` is a constant of Rust\nhelp: write `pi`";
-    item body_misspelt: "«bodie» b { }" => "`bodie` is no item of a mechanism\nhelp: did you mean `body`?\nnote: items are `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` and `use`";
+    item body_misspelt: "«bodie» b { }" => "`bodie` is no item of a mechanism\nhelp: did you mean `body`?\nnote: items are `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `start`, `output`, `range`, `part`, `for`, `component`, `function` and `use`";
 }
 
 /// Deeper than realistic, but not deep enough to exhaust the stack.

@@ -49,6 +49,13 @@ pub enum SystemFact {
         joint: String,
         row: usize,
         of: usize,
+        /// Why no position follows.
+        obstacle: NoPosition,
+    },
+    /// `#[velocity]` on a joint without an equation of velocities.
+    NoVelocity {
+        /// Name of the joint.
+        joint: String,
     },
     Repeats {
         joint: String,
@@ -191,4 +198,15 @@ pub struct Count {
     pub drives: usize,
     /// Number of equations that are missing.
     pub missing: usize,
+}
+
+/// Why no position follows from an equation of velocities.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoPosition {
+    /// The factors of the velocities change.
+    Factors,
+    /// The right side changes.
+    Side,
+    /// `#[velocity]` is written before it.
+    Kept,
 }

@@ -5,7 +5,7 @@ use crate::diag::{GrammarFact, Home};
 use std::fmt::{Display, Formatter, Result};
 
 /// Items of a mechanism.
-const ITEMS: [&str; 18] = [
+const ITEMS: [&str; 19] = [
     "param",
     "input",
     "let",
@@ -17,6 +17,7 @@ const ITEMS: [&str; 18] = [
     "force",
     "energy",
     "gravity",
+    "start",
     "output",
     "range",
     "part",
@@ -85,7 +86,7 @@ impl Display for GrammarFact {
             GrammarFact::UnknownAttribute { name } => {
                 write!(
                     f,
-                    "`#[{name}]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`"
+                    "`#[{name}]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`, `#[velocity]` before `joint` and `drive`"
                 )
             }
             GrammarFact::AttributeTwice { name } => write!(f, "`#[{name}]` stands here twice\nhelp: take one of them away"),

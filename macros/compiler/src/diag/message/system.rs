@@ -1,7 +1,7 @@
 //! Messages about the mechanism as a whole: its mobility, and redundant or contradictory joints.
 
 use super::words::{are, bodies, counted, drives_there_are, first_of, list, numbers, one_of, plural, rounded};
-use crate::diag::{Count, Demand, Forgotten, SystemFact};
+use crate::diag::{Count, Demand, Forgotten, NoPosition, SystemFact};
 use std::fmt::{Display, Formatter, Result};
 
 impl Display for SystemFact {
@@ -47,16 +47,10 @@ impl Display for SystemFact {
             SystemFact::ActsOnMassless { joint, without_mass, without_inertia, adds, freedom } => {
                 acts_on_massless(f, joint, [without_mass, without_inertia], *adds, freedom)
             }
-            SystemFact::Nonholonomic { joint, row, of } => {
-                let which = if *of == 1 { "the equation".to_owned() } else { format!("equation {row} of {of}") };
-                write!(
-                    f,
-                    "{which} of `{joint}` relates velocities by factors that change, and no position follows from it\nhelp: where drives \
-                     determine the motion, write `#[integrated]` before `mechanism`\nhelp: where forces do, declare a freedom, such as \
-                     `freedom spin = body.angular_velocity;`\nhelp: or relate positions or angles instead, or write `#[equations_only]` to \
-                     have its rows alone"
-                )
+            SystemFact::NoVelocity { joint } => {
+                write!(f, "`#[velocity]` keeps equations of velocities as they are, and `{joint}` has none\nhelp: take it away")
             }
+            SystemFact::Nonholonomic { joint, row, of, obstacle } => nonholonomic(f, joint, [*row, *of], *obstacle),
             SystemFact::FollowsFrom { joint, is_drive, rows, of, others, free, moves, kinds } => {
                 let place = if *moves { "in every position tried" } else { "where the mechanism stands" };
                 let sources = if others.is_empty() { "the rest of it".to_owned() } else { list(others) };
@@ -352,4 +346,20 @@ fn freedoms_missing(f: &mut Formatter, name: &str, [missing, declared]: [usize; 
         write!(f, "\nhelp: declare what else can move, such as `freedom name = {example};`")?;
     }
     if candidates.len() > 1 { write!(f, "; {} are free", list(candidates)) } else { Ok(()) }
+}
+
+/// An equation of velocities from which no position follows, where positions are solved for.
+fn nonholonomic(f: &mut Formatter, joint: &str, [row, of]: [usize; 2], obstacle: NoPosition) -> Result {
+    let which = if of == 1 { "the equation".to_owned() } else { format!("equation {row} of {of}") };
+    match obstacle {
+        NoPosition::Factors => {
+            write!(f, "{which} of `{joint}` relates velocities by factors that change, and no position follows from it")?
+        }
+        NoPosition::Side => write!(f, "{which} of `{joint}` sets velocities to a value that changes, and no position follows from it")?,
+        NoPosition::Kept => write!(f, "`#[velocity]` keeps {which} of `{joint}` as it is, and no position follows from it")?,
+    }
+    write!(f, "\nhelp: where drives determine the motion, write `#[integrated]` before `mechanism`")?;
+    write!(f, "\nhelp: where forces do, declare a freedom, such as `freedom spin = body.angular_velocity;`")?;
+    let otherwise = if obstacle == NoPosition::Kept { "take `#[velocity]` away" } else { "relate positions or angles instead" };
+    write!(f, "\nhelp: or {otherwise}, or write `#[equations_only]` to have its rows alone")
 }

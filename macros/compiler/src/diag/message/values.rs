@@ -2,8 +2,8 @@
 
 use super::significant;
 use super::words::shortened;
-use crate::diag::{ValueFact, remedy};
-use crate::quantity::Dim;
+use crate::diag::{Kind, ValueFact, remedy};
+use crate::quantity::{Ambient, Dim};
 use std::f64::consts::TAU;
 use std::fmt::{Display, Formatter, Result};
 
@@ -123,7 +123,13 @@ impl Display for ValueFact {
                 write!(f, "{base} can only be raised to a number that is written out, a multiple of 1/6")?;
                 write!(f, "\nhelp: divide it by a quantity of its kind, and raise the ratio")
             }
-            ValueFact::NotAnOutput { found } => write!(f, "an output is a number, a vector, a point or a body that moves, found {found}"),
+            ValueFact::NotAnOutput { found } => {
+                write!(f, "an output is a number, a vector, a point or a body that moves, found {found}")?;
+                if *found != Kind::Orientation {
+                    return Ok(());
+                }
+                write!(f, "\nhelp: write `state.body().orientation()` in the program; `body.orientation * (1, 0, 0)` is a direction")
+            }
 
             ValueFact::NumberTooLong { number, limit } => {
                 write!(f, "`{}` has more than {limit} digits\nhelp: of a number, 17 digits are as good as all", shortened(number))
@@ -216,6 +222,18 @@ impl Display for ValueFact {
                 write!(f, "{place} may depend on parameters only, not on what moves")?;
                 let help = if place.contains("start") { "write where it is about" } else { "what moves along a body is a body of its own" };
                 write!(f, "\nhelp: {help}")
+            }
+            ValueFact::NotAStart { written, ambient: Ambient::Plane } => {
+                let (body, what) = written.rsplit_once('.').unwrap_or(("crank", written));
+                write!(f, "a start in the plane is that of a body\nhelp: write `start {what} = …;` in `body {body} {{ … }}`")
+            }
+            ValueFact::NotAStart { written, .. } => {
+                write!(f, "`{written}` is no angle and no displacement of a joint")?;
+                let joint = if written.chars().all(|letter| letter.is_alphanumeric() || letter == '_') { written } else { "joint" };
+                write!(
+                    f,
+                    "\nhelp: write `start {joint}.angle = 30deg;`; where a body starts is told in the body, as in `start position = …;`"
+                )
             }
             ValueFact::FunctionNeedsArgument => {
                 write!(

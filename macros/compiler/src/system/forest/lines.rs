@@ -43,7 +43,11 @@ impl Forest<'_> {
     fn on_line(&mut self, (joint, row): (usize, usize), triad: Triad, from: Place, to: Place) {
         self.holding.extend([(joint, row), (joint, row + 1)]);
         let body = to.body.or(from.body).unwrap_or(0);
-        let start = {
+        let quantity = JointQuantity::Displacement(triad, from, to);
+        let start = if let Some(start) = self.declared_start(quantity) {
+            self.start_along(triad, start, from, to);
+            start
+        } else {
             let (z, p, q) =
                 (self.at_start(Place { body: triad.body, local: triad.axes[2] }), self.point_at_start(from), self.point_at_start(to));
             let d = [0, 1, 2].map(|k| self.arena.sub(q[k], p[k]));
@@ -59,7 +63,6 @@ impl Forest<'_> {
             let phi = self.arena.sub(d, part);
             self.rows.push(Row { joint, row: row + k.min(1), dim: Dim::LENGTH, residual: phi, is_velocity: false, is_initial: false });
         }
-        let quantity = JointQuantity::Displacement(triad, from, to);
         if let Some(index) = self.model.space.quantities.iter().position(|(known, _)| *known == quantity) {
             self.displacements.insert(index as u32, unknown);
         }

@@ -124,8 +124,19 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena, free_speeds: FreeSpeeds) 
     let frames: Vec<usize> = forest.frames.iter().map(|frame| frame.unwrap_or(0)).collect();
     let balance = balance.map(|balance| balance.by_unknowns(forest.arena, &frames, forest.coordinates.len()));
     let loads = loads.map(|loads| loads.by_state(forest.arena, &frames, forest.coordinates.len()));
+    let off_starts = forest.off_starts();
     let links = forest.linked.into_iter().collect();
-    Choice { coordinates: forest.coordinates, rows: forest.rows, outputs, frames, reached: forest.reached, links, balance, loads }
+    Choice {
+        coordinates: forest.coordinates,
+        rows: forest.rows,
+        outputs,
+        frames,
+        reached: forest.reached,
+        links,
+        balance,
+        loads,
+        off_starts,
+    }
 }
 
 impl Forest<'_> {
@@ -171,7 +182,7 @@ impl Forest<'_> {
         }
     }
 
-    /// The relation that reaches a new body by the fewest unknowns, and of these the nearest to ground.
+    /// The relation that reaches a new body by the fewest unknowns, of these one with a declared start, and of these the nearest to ground.
     fn next_relation(&self) -> Option<(usize, usize, Relationship)> {
         let rank = |(joint, _, relation): &&(usize, usize, Relationship)| {
             let unknowns = match relation {
@@ -184,7 +195,10 @@ impl Forest<'_> {
                 return None;
             }
             match relation.bodies().map(|body| self.depth(body)) {
-                [Some(depth), None] | [None, Some(depth)] => Some((self.model.joints[*joint].is_redundant, unknowns, depth)),
+                [Some(depth), None] | [None, Some(depth)] => {
+                    let has_start = matches!(relation, Relationship::SameDirection(one, two) if self.starts_between(*one, *two));
+                    Some((self.model.joints[*joint].is_redundant, unknowns, !has_start, depth))
+                }
                 _ => None,
             }
         };

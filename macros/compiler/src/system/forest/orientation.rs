@@ -16,19 +16,21 @@ impl Forest<'_> {
             self.reach_without_angle(joint, inner, outer);
             return;
         }
+        let declared = self.declared_angle(one, two);
         // The angle counts the second body against the first, wherever ground is.
         let is_forward = inner == one;
         let outer = self.facing(inner, outer);
         let (one, two) = if is_forward { (one, outer) } else { (outer, two) };
         let [x, y, z] = self.in_ground(inner);
         let against = |forest: &mut Self, angle: Expr| if is_forward { angle } else { forest.arena.neg(angle) };
-        let start = match self.start_angle_by_place(inner, outer) {
-            Some(angle) => {
-                self.placed.insert(body);
-                Some(against(self, angle))
-            }
-            None => self.start_angle(one, two),
+        let by_place = match declared {
+            Some(angle) => Some(angle),
+            None => self.start_angle_by_place(inner, outer).map(|angle| against(self, angle)),
         };
+        if by_place.is_some() {
+            self.placed.insert(body);
+        }
+        let start = by_place.or_else(|| self.start_angle(one, two));
         let angle = start.unwrap_or_else(|| self.arena.integer(0));
         let angle = against(self, angle);
         self.note_start(inner, outer, Some(angle));

@@ -3,7 +3,7 @@
 use super::{Forest, Started};
 use crate::expr::{Arena, Binary, Expr, Leaf, Substitution, Triple, combination, dot};
 use crate::geometry::rotation;
-use crate::model::{Place, Relationship, Triad};
+use crate::model::{JointQuantity, Place, Relationship, Triad};
 use crate::quantity::{Ambient, Role};
 
 /// Unit vectors are opposed at the start if their product is below this.
@@ -82,6 +82,65 @@ impl Forest<'_> {
             Relationship::Coincident(one, two) if (two.body, one.body) == (from, to) => Some((*two, *one)),
             _ => None,
         })
+    }
+
+    /// Declared start of an angle or a displacement of a joint.
+    pub(super) fn declared_start(&self, quantity: JointQuantity) -> Option<Expr> {
+        self.model.starts.iter().find(|start| start.quantity == quantity).map(|start| start.value)
+    }
+
+    /// True if a start of the angle between two triads is declared.
+    pub(super) fn starts_between(&self, one: Triad, two: Triad) -> bool {
+        [JointQuantity::Angle(one, two), JointQuantity::Angle(two, one)].into_iter().any(|angle| self.declared_start(angle).is_some())
+    }
+
+    /// Declared start of the angle of the second triad against the first.
+    pub(super) fn declared_angle(&mut self, one: Triad, two: Triad) -> Option<Expr> {
+        let opposite = self.declared_start(JointQuantity::Angle(two, one));
+        self.declared_start(JointQuantity::Angle(one, two)).or_else(|| opposite.map(|start| self.arena.neg(start)))
+    }
+
+    /// Starts a body that a line in ground guides, or that carries a line through a point of ground, at a displacement, unless its place is
+    /// declared.
+    pub(super) fn start_along(&mut self, triad: Triad, displacement: Expr, from: Place, to: Place) {
+        let (body, own, other, is_forward) = match (from.body, to.body) {
+            (None, Some(body)) => (body, to, from, true),
+            (Some(body), None) => (body, from, to, false),
+            _ => return,
+        };
+        let first = Ambient::Space.first_coordinate(body);
+        if self.coordinates[first..first + 3].iter().any(|coordinate| coordinate.start.is_some()) {
+            return;
+        }
+        let z = self.hinged_at_start(Place { body: triad.body, local: triad.axes[2] });
+        let turned = self.hinged_at_start(own);
+        for k in 0..3 {
+            let way = self.arena.mul(displacement, z[k]);
+            let end = if is_forward { self.arena.add(other.local[k], way) } else { self.arena.sub(other.local[k], way) };
+            self.coordinates[first + k].start = Some(self.arena.sub(end, turned[k]));
+        }
+    }
+
+    /// The angle or displacement of a joint less its declared start, for each such start, in the unknowns and within a turn.
+    pub(super) fn off_starts(&mut self) -> Vec<Expr> {
+        let model = self.model;
+        let each = model.starts.iter().map(|start| {
+            let found = match start.quantity {
+                JointQuantity::Angle(one, two) => {
+                    let ([x, y, _], [other, _, _]) = (self.in_ground(one), self.in_ground(two));
+                    let (s, c) = (dot(self.arena, y, other), dot(self.arena, x, other));
+                    self.arena.binary(Binary::Atan2, s, c)
+                }
+                JointQuantity::Displacement(triad, from, to) => {
+                    let z = self.vector(Place { body: triad.body, local: triad.axes[2] });
+                    let (p, q) = (self.point(from), self.point(to));
+                    let d = [0, 1, 2].map(|k| self.arena.sub(q[k], p[k]));
+                    dot(self.arena, z, d)
+                }
+            };
+            self.arena.sub(found, start.value)
+        });
+        each.collect()
     }
 
     /// Angle of the second triad against the first at the declared start; `None` if it is zero.
