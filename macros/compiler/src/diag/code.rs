@@ -123,7 +123,7 @@ codes! {
     E0503: Array::NoArray Grammar::IndexInEquations;
     E0504: Array::IndexOutOfRange Array::NegativeIndex;
     E0505: Array::MissingIndex;
-    E0506: Array::NotWhole;
+    E0506: Array::NotWhole Array::RemainderOfQuantity;
     E0507: Array::NotKnownWhole;
     E0508: Array::EmptyRange;
     E0509: Array::LongRange Array::WholeTooLarge Array::TooManyItems Value::TooLarge;
@@ -134,7 +134,7 @@ codes! {
     E0603: Equation::NoEquations Equation::NoForces Equation::EmptyBundle;
     E0604: Equation::GroundStart;
     E0605: Equation::NotAffine Equation::RateOfSpeed Value::RateOfVelocity System::Nonholonomic System::NoVelocity;
-    E0606: Equation::EquationInForce Equation::ForceInJoint Motion::ForceForConstraint Motion::ConstraintForForce;
+    E0606: Equation::EquationInForce Equation::ForceInJoint Motion::ForceForConstraint Motion::ConstraintForForce Motion::JointForDrive;
     E0607: Value::OutputWithoutRate Motion::NoJerk;
     // Mobility.
     E0701: System::NoBodies;

@@ -101,28 +101,89 @@ pub enum GrammarFact {
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
 pub enum ArrayFact {
-    WithoutIndex { name: String, variable: String },
-    DuplicateInLoop { name: String, variable: String },
-    ArrayWithoutIndex { name: String },
-    NoArray { found: Kind, is_member: bool },
-    IndexOutOfRange { name: String, index: i64, ends: Option<(usize, usize)>, known: Known },
-    NegativeIndex { index: i64 },
-    MissingIndex { what: &'static str, missing: String, known: String },
-    NotWhole { found: String },
+    WithoutIndex {
+        name: String,
+        variable: String,
+    },
+    DuplicateInLoop {
+        name: String,
+        variable: String,
+    },
+    ArrayWithoutIndex {
+        name: String,
+    },
+    NoArray {
+        found: Kind,
+        is_member: bool,
+    },
+    IndexOutOfRange {
+        name: String,
+        index: i64,
+        ends: Option<(usize, usize)>,
+        known: Known,
+    },
+    NegativeIndex {
+        index: i64,
+    },
+    MissingIndex {
+        what: &'static str,
+        missing: String,
+        known: String,
+    },
+    NotWhole {
+        found: String,
+    },
+    /// `%` of angles, lengths or times.
+    RemainderOfQuantity,
     NotKnownWhole,
-    EmptyRange { from: i64, to: i64, is_inclusive: bool },
-    LongRange { rounds: i128, limit: usize },
-    TooManyItems { limit: usize },
-    WholeTooLarge { found: String },
-    UnknownComponent { name: String, near: Option<String>, is_constraint: bool },
-    ComponentAsConstraint { name: String },
-    ComponentRecursion { name: String },
-    ParameterAsArgument { component: String, name: String, part: String },
-    OutsideOfComponent { name: String, what: &'static str },
-    UnlikeParts { name: String, component: String },
-    UnlikeOutputs { name: String },
-    GeneratedType { name: String },
-    FieldOfInputs { name: String },
+    EmptyRange {
+        from: i64,
+        to: i64,
+        is_inclusive: bool,
+    },
+    LongRange {
+        rounds: i128,
+        limit: usize,
+    },
+    TooManyItems {
+        limit: usize,
+    },
+    WholeTooLarge {
+        found: String,
+    },
+    UnknownComponent {
+        name: String,
+        near: Option<String>,
+        is_constraint: bool,
+    },
+    ComponentAsConstraint {
+        name: String,
+    },
+    ComponentRecursion {
+        name: String,
+    },
+    ParameterAsArgument {
+        component: String,
+        name: String,
+        part: String,
+    },
+    OutsideOfComponent {
+        name: String,
+        what: &'static str,
+    },
+    UnlikeParts {
+        name: String,
+        component: String,
+    },
+    UnlikeOutputs {
+        name: String,
+    },
+    GeneratedType {
+        name: String,
+    },
+    FieldOfInputs {
+        name: String,
+    },
 }
 
 /// Names: unknown, taken, or in a cycle.

@@ -105,3 +105,15 @@ pub(crate) fn argument_of(side: &Expression) -> Option<&Ident> {
         _ => None,
     }
 }
+
+/// True if an expression is surely no whole number: it contains a number with a unit or a fraction, π, `t` or an angle.
+pub(crate) fn is_measured(value: &Expression) -> bool {
+    match &value.kind {
+        ExpressionKind::Number { digits, unit } => !unit.is_empty() || digits.contains('.'),
+        ExpressionKind::Path(path) => path.last == "t" || path.last == "pi",
+        ExpressionKind::Field(_, name) => name == "angle",
+        ExpressionKind::Negative(inner) => is_measured(inner),
+        ExpressionKind::Binary(_, lhs, rhs) => is_measured(lhs) || is_measured(rhs),
+        _ => false,
+    }
+}

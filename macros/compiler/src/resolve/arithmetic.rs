@@ -1,10 +1,9 @@
 //! Arithmetic of numbers and vectors: sums, products, powers, choices, and the residuals of equations.
 
-use super::Components;
-use super::elaborate::Elaborator;
-use crate::diag::{Range, ValueFact, Wanted};
+use super::{Components, elaborate::Elaborator};
+use crate::diag::{ArrayFact, Range, ValueFact, Wanted};
 use crate::expr::{Exact, Expr, Unary};
-use crate::hints::in_millimetres;
+use crate::hints::{in_millimetres, is_measured};
 use crate::names::{Scalar, Scope, Value, Vector};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Operator, Relation};
@@ -74,11 +73,11 @@ impl Elaborator<'_> {
         rhs: &ast::Expression,
         scope: &Scope,
     ) -> Option<Value> {
-        if operator == Operator::Power {
-            return self.power(range, lhs, rhs, scope).map(Value::Scalar);
-        }
-        if operator == Operator::Rem {
-            return self.remainder(range, lhs, rhs, scope).map(Value::Scalar);
+        match operator {
+            Operator::Power => return self.power(range, lhs, rhs, scope).map(Value::Scalar),
+            Operator::Rem if is_measured(lhs) || is_measured(rhs) => return self.refuse(range, ArrayFact::RemainderOfQuantity),
+            Operator::Rem => return self.remainder(range, lhs, rhs, scope).map(Value::Scalar),
+            _ => {}
         }
         let (left, right) = (self.value(lhs, scope), self.value(rhs, scope));
         let (left, right) = (left?, right?);

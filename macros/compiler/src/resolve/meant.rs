@@ -23,19 +23,20 @@ impl Elaborator<'_> {
         }
     }
 
-    /// Refuses a force that is declared as a joint or a drive, and the other way round.
+    /// Refuses a force that is declared as a joint or a drive, a joint without numbers as a drive, and a joint or a drive as a force.
     pub(super) fn is_of_its_word(&mut self, joint: &JointItem, kind: &Ident, definition: &Definition) -> Option<()> {
         let applies = definition.statements.iter().any(|statement| matches!(statement, Statement::Apply(_)));
-        let (word, name) = (self.word_of(joint), joint.name.to_string());
+        let (word, name, constraint) = (self.word_of(joint), joint.name.to_string(), kind.to_string());
         match (word, applies) {
             (Word::Force, false) => {
-                let is_drive = kind.to_string().starts_with("drive_");
-                self.refuse(kind, MotionFact::ConstraintForForce { constraint: kind.to_string(), is_drive, name })
+                let is_drive = constraint.starts_with("drive_");
+                self.refuse(kind, MotionFact::ConstraintForForce { constraint, is_drive, name })
             }
             (Word::Joint | Word::Drive, true) => {
                 let instead = (word == Word::Drive).then(|| self.a_drive("law"));
-                self.refuse(kind, MotionFact::ForceForConstraint { force: kind.to_string(), word, name, instead })
+                self.refuse(kind, MotionFact::ForceForConstraint { force: constraint, word, name, instead })
             }
+            (Word::Drive, false) if !definition.takes_numbers() => self.refuse(kind, MotionFact::JointForDrive { constraint, name }),
             _ => Some(()),
         }
     }

@@ -45,6 +45,7 @@ pub enum MotionFact {
     UnknownForce { name: String, near: Option<String>, laws: Vec<String> },
     ForceForConstraint { force: String, word: Word, name: String, instead: Option<String> },
     ConstraintForForce { constraint: String, is_drive: bool, name: String },
+    JointForDrive { constraint: String, name: String },
     RateForStart { rate: String },
     StartForRate { start: String },
     RateBeforeStart { value: String, from: String, at: String },

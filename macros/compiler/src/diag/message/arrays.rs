@@ -37,6 +37,12 @@ impl Display for ArrayFact {
                     "expected a whole number, found {found}\nnote: indices and ranges are made of whole numbers, `let`s and loop variables with + - * / %"
                 )
             }
+            ArrayFact::RemainderOfQuantity => {
+                write!(
+                    f,
+                    "`%` is of whole numbers, as in an index\nhelp: `wrap(angle)` is an angle without its whole turns, from -180° to 180°"
+                )
+            }
             ArrayFact::NotKnownWhole => {
                 write!(f, "how many there are cannot change at run time\nhelp: declare the number with `let`, such as `let count = 6;`")
             }

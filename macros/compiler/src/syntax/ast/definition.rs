@@ -12,6 +12,15 @@ pub struct Definitions {
     pub exports: Vec<Export>,
 }
 
+impl Definition {
+    /// True if an argument is a number or a function of one variable.
+    #[must_use]
+    pub fn takes_numbers(&self) -> bool {
+        let is_number = |formal: &Formal| matches!(formal.kind, FormalKind::Quantity | FormalKind::Scalar(_) | FormalKind::Function(..));
+        self.parameters.iter().any(is_number)
+    }
+}
+
 /// Definitions that are exported under one name.
 #[derive(Clone, Debug)]
 pub struct Export {
