@@ -298,9 +298,13 @@ pub enum ValueFact {
     },
     NotTwoComponents {
         found: usize,
+        /// A number with a decimal comma, as it is meant.
+        meant: Option<String>,
     },
     NotThreeComponents {
         found: usize,
+        /// A number with a decimal comma, as it is meant.
+        meant: Option<String>,
     },
     MeansSpace {
         name: String,

@@ -15,7 +15,9 @@ mod unused;
 
 pub(crate) use ambient::{is_meant, means_space};
 pub(crate) use angles::bare_angles;
-pub(crate) use forms::{argument_of, by_time, cross_product, in_millimetres, in_words, is_measured, is_zero, point_of, unit_in_parts};
+pub(crate) use forms::{
+    argument_of, by_time, cross_product, decimal_comma, in_millimetres, in_words, is_measured, is_zero, point_of, unit_in_parts,
+};
 pub(crate) use generated::{is_generated, is_of_generated_type};
 pub(crate) use lengths::Lengths;
 pub(crate) use outputs::{OutputKind, derivatives, output_kind};

@@ -3,7 +3,7 @@
 use super::{Components, elaborate::Elaborator};
 use crate::diag::{ArrayFact, Range, ValueFact, Wanted};
 use crate::expr::{Exact, Expr, Unary};
-use crate::hints::{in_millimetres, is_measured};
+use crate::hints::{decimal_comma, in_millimetres, is_measured};
 use crate::names::{Scalar, Scope, Value, Vector};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Operator, Relation};
@@ -23,7 +23,7 @@ impl Elaborator<'_> {
             return self.triple(range, items, scope);
         }
         let [x, y] = items else {
-            return self.refuse(range, ValueFact::NotTwoComponents { found: items.len() });
+            return self.refuse(range, ValueFact::NotTwoComponents { found: items.len(), meant: decimal_comma(items) });
         };
         let (x, y) = (self.scalar(x, scope), self.scalar(y, scope));
         let (x, y) = (x?, y?);

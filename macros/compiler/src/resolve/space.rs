@@ -6,14 +6,14 @@
 //! displacement       z_i · (r_Q − r_P)
 //! ```
 
-use super::elaborate::Elaborator;
-use super::statement::ScalarEquation;
+use super::{elaborate::Elaborator, statement::ScalarEquation};
 use crate::diag::{ArityFact, Range, ValueFact, Wanted};
 use crate::expr::{Expr, Frame, Leaf, Mark, Node, Triple, cross, dot};
 use crate::geometry::{
     Components, Geometry, JointQuantity, Place, Relationship, Rotation, Triad, Turn, angle_near, longest, natural, rodrigues, rotated,
     rotation,
 };
+use crate::hints::decimal_comma;
 use crate::model::{DECLARED, JointStart, declared_angular};
 use crate::names::{Arguments, Fixed, FrameId, Scalar, Scope, Value, Vector};
 use crate::quantity::{Dim, InferredDim, Role};
@@ -81,7 +81,7 @@ impl Elaborator<'_> {
     /// `(x, y, z)`
     pub(super) fn triple(&mut self, range: Range, items: &[ast::Expression], scope: &Scope) -> Option<Vector> {
         if items.len() != 3 {
-            return self.refuse(range, ValueFact::NotThreeComponents { found: items.len() });
+            return self.refuse(range, ValueFact::NotThreeComponents { found: items.len(), meant: decimal_comma(items) });
         }
         let found: Vec<Option<Scalar>> = items.iter().map(|item| self.scalar(item, scope)).collect();
         let found: Option<Vec<Scalar>> = found.into_iter().collect();

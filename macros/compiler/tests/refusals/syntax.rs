@@ -61,6 +61,7 @@ crate::refusals! {
     item remainder_of_an_angle: "output q = «(1rad_s * t) % 360deg»;" => "`%` is of whole numbers, as in an index\nhelp: `wrap(angle)` is an angle without its whole turns, from -180° to 180°";
     item remainder_by_a_turn: "output q = «crank.angle % (2 * pi)»;" => "`%` is of whole numbers, as in an index\nhelp: `wrap(angle)` is an angle without its whole turns, from -180° to 180°";
     item joint_as_a_drive: "drive knee = «revolute»(crank.A, ram.B);" => "`revolute` is a joint, and nothing in it could follow a law\nhelp: write `joint knee = revolute(…);`";
+    item decimal_comma_in_a_point: "body b { point P = «(60,5mm, 0mm)»; }" => "a vector in the plane has 2 components, found 3\nhelp: write a decimal point, `60.5mm`";
     item comment_of_another_language: "«#» the slider\noutput q = crank.x;" => "`#` begins an attribute, such as `#[picture]`\nhelp: a comment begins with `//`";
     item comma_after_an_item: "let far = 3mm«,» output q = crank.x + far;" => "expected `;`, found `,`\nhelp: `;` ends each item, `,` stands between arguments";
     item comma_between_points: "body b { point P = (0mm, 0mm)«,» point Q = (1mm, 0mm); }" => "expected `;`, found `,`\nhelp: `;` ends each item, `,` stands between arguments";

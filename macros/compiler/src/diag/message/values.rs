@@ -65,7 +65,11 @@ impl Display for ValueFact {
             ValueFact::CannotEquate { one, two, ambient } => {
                 write!(f, "cannot equate {one} with {two}{}", remedy::of_equation(one, two, *ambient))
             }
-            ValueFact::NotThreeComponents { found } => {
+            ValueFact::NotTwoComponents { found, meant: Some(number) } | ValueFact::NotThreeComponents { found, meant: Some(number) } => {
+                let wanted = if matches!(self, ValueFact::NotTwoComponents { .. }) { "the plane has 2" } else { "space has 3" };
+                write!(f, "a vector in {wanted} components, found {found}\nhelp: write a decimal point, `{number}`")
+            }
+            ValueFact::NotThreeComponents { found, .. } => {
                 write!(f, "a vector in space has 3 components, found {found}")?;
                 if *found == 2 { write!(f, "\nhelp: write the third, which is 0 in the plane of x and y") } else { Ok(()) }
             }
@@ -103,7 +107,7 @@ impl Display for ValueFact {
             ValueFact::AlongItsAxis { name } => {
                 write!(f, "angles about `{name}` are counted from a direction across it, and nothing of this one is across")
             }
-            ValueFact::NotTwoComponents { found } => {
+            ValueFact::NotTwoComponents { found, .. } => {
                 write!(f, "a vector in the plane has 2 components, found {found}")?;
                 if *found == 3 { write!(f, "\nhelp: for a mechanism in space write `mechanism Name in space {{ … }}`") } else { Ok(()) }
             }
