@@ -54,6 +54,28 @@ mechanism! {
 }
 
 mechanism! {
+    /// A wheel whose axis points against that of ground, the second of the joint, begins at an angle of the joint.
+    mechanism Begun in space {
+        ground { axis z = (0, 0, 1) from (1, 0, 0); }
+        body wheel { axis down = (0, 0, -1) from (1, 0, 0);  mass = 1kg;  inertia = (1kgm2, 1kgm2, 1kgm2);  start orientation = turn((0, 0, 1), 5deg); }
+        joint hinge = revolute(wheel.position, wheel.down, ground.position, ground.z);
+        start hinge.angle = 40deg;
+        freedom spin = hinge.angle;
+        output angle = hinge.angle;
+    }
+}
+
+#[test]
+fn a_declared_angle_is_that_of_the_joint_whichever_body_stands_first() {
+    let begun = Begun::default();
+    let state = begun.initial_state().expect("a state");
+    // x turned by ψ about z: y_a · x_b = sin ψ about the axis that points down.
+    let (angle, wanted) = (40_f64.to_radians(), UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 40_f64.to_radians()));
+    assert!((begun.angle(&state).value - angle).abs() < 1e-15, "{}", begun.angle(&state).value);
+    assert!((state.wheel().orientation().into_inner() - wanted.into_inner()).norm() < 1e-15, "{}", state.wheel().orientation());
+}
+
+mechanism! {
     /// A hand across an arm that is driven half a turn from ground, which its start does not say.
     mechanism Across in space {
         ground { axis z = (0, 0, 1); }

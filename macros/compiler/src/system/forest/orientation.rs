@@ -19,7 +19,10 @@ impl Forest<'_> {
         let declared = self.declared_angle(one, two);
         // The angle counts the second body against the first, wherever ground is.
         let is_forward = inner == one;
-        let outer = self.facing(inner, outer);
+        let facing = self.facing(inner, outer);
+        // Against a triad that is half turned about x an angle has the opposite sign.
+        let declared = if is_forward || facing == outer { declared } else { declared.map(|angle| self.arena.neg(angle)) };
+        let outer = facing;
         let (one, two) = if is_forward { (one, outer) } else { (outer, two) };
         let [x, y, z] = self.in_ground(inner);
         let against = |forest: &mut Self, angle: Expr| if is_forward { angle } else { forest.arena.neg(angle) };
