@@ -183,3 +183,55 @@ fn orientations_are_equated_and_turn_vectors() {
         assert!((found.value - turned * axis).norm() < 1e-14 && (found.rate - wanted).norm() < 1e-13, "{found:?}");
     }
 }
+
+mechanism! {
+    /// Two bodies that start far from where equations put them, and a third that is turned about an axis of an arm.
+    #[allow(far_start)]
+    mechanism Turned in space {
+        param lead: Angle = 30deg;
+        ground { axis z = (0, 0, 1); }
+        body far   { start orientation = turn((0, 0, 1), 10deg); }
+        body next  { start orientation = turn((1, 0, 0), 160deg); }
+        body arm   { axis z = (0, 0, 1);  axis across = (1, 2, 2); }
+        body blade {}
+        joint ball = spherical(ground.position, far.position);
+        joint end = spherical(ground.position, next.position);
+        joint hub = spherical(arm.position, blade.position);
+        joint hinge = revolute(ground.position, ground.z, arm.position, arm.z);
+        joint held = { far.orientation == turn((0, 0, 1), 170deg); }
+        joint kept = { next.orientation == far.orientation * turn((0, 1, 0), 20deg); }
+        joint pitch = { blade.orientation == turn(arm.across, lead + 2 * hinge.angle) * arm.orientation; }
+        drive motor = drive_rotation(hinge, 1rad_s * t);
+        output tip = turn(arm.across, 90deg) * arm.z;
+    }
+}
+
+#[test]
+fn equal_orientations_are_no_half_turns_apart_wherever_bodies_start() {
+    let state = Turned::default().solve(0.0).expect("a state");
+    let far = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 170_f64.to_radians());
+    assert!(off(state.far().orientation(), far) < 1e-15, "{}", state.far().orientation());
+    let next = far * UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 20_f64.to_radians());
+    assert!(off(state.next().orientation(), next) < 1e-15, "{}", state.next().orientation());
+}
+
+#[test]
+fn turns_about_axes_of_bodies_move_with_them() {
+    let (turned, across) = (Turned::default(), UnitVector3::new_normalize(Vector3::new(1.0, 2.0, 2.0)));
+    for state in turned.sweep((0..50).map(|step| 0.1 * f64::from(step))) {
+        let state = state.expect("a state");
+        let arm = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), state.t);
+        // A turn about a direction of the arm, in ground, and then that of the arm: turned in the arm first.
+        let blade = arm * UnitQuaternion::from_axis_angle(&across, 30_f64.to_radians() + 2.0 * state.t);
+        assert!(off(state.blade().orientation(), blade) < 1e-14, "{}", state.t);
+        let spin = Vector3::z() + arm * across.into_inner() * 2.0;
+        assert!((state.blade().angular_velocity - spin).norm() < 1e-13, "{}", state.t);
+        // ω × of the part of the spin that turns with the arm.
+        let growth = Vector3::z().cross(&(arm * across.into_inner() * 2.0));
+        assert!((state.blade().angular_acceleration - growth).norm() < 1e-12, "{}", state.t);
+        // a × z + a (a · z) for a right angle.
+        let axis = arm * across.into_inner();
+        let tip = axis.cross(&Vector3::z()) + axis * axis.z;
+        assert!((turned.tip(&state).value - tip).norm() < 1e-15, "{}", state.t);
+    }
+}

@@ -7,7 +7,7 @@ mod components;
 mod turn;
 
 pub use components::Components;
-pub(crate) use turn::{Rotation, Turn, natural, quaternion, rodrigues, rotated, turned_tensor};
+pub(crate) use turn::{Rotation, Turn, difference, natural, quaternion, rotated, turned_tensor};
 
 use crate::expr::{Arena, Binary, Expr, Leaf, Triple, cross, dot, unit};
 
@@ -71,8 +71,10 @@ pub enum Relationship {
     Coincident(Place, Place),
     /// Two axes are parallel: two rows.
     SameDirection(Triad, Triad),
-    /// Two triads are parallel: three rows.
+    /// Two triads are parallel, each axis to its partner, which may point against it: three rows.
     SameOrientation(Triad, Triad),
+    /// Two triads are equal: three rows.
+    Equal(Triad, Triad),
     /// Two vectors are perpendicular: one row.
     Perpendicular(Place, Place),
     /// The second point lies on the axis through the first: two rows.
@@ -84,7 +86,9 @@ impl Relationship {
     #[must_use]
     pub fn bodies(&self) -> [Option<usize>; 2] {
         match self {
-            Relationship::SameOrientation(one, two) | Relationship::SameDirection(one, two) => [one.body, two.body],
+            Relationship::SameOrientation(one, two) | Relationship::Equal(one, two) | Relationship::SameDirection(one, two) => {
+                [one.body, two.body]
+            }
             Relationship::Perpendicular(one, two) | Relationship::Coincident(one, two) | Relationship::OnLine(_, one, two) => {
                 [one.body, two.body]
             }
@@ -95,7 +99,7 @@ impl Relationship {
     #[must_use]
     pub fn rows(&self) -> usize {
         match self {
-            Relationship::Coincident(..) | Relationship::SameOrientation(..) => 3,
+            Relationship::Coincident(..) | Relationship::SameOrientation(..) | Relationship::Equal(..) => 3,
             Relationship::SameDirection(..) | Relationship::OnLine(..) => 2,
             Relationship::Perpendicular(..) => 1,
         }

@@ -5,12 +5,14 @@
 //! R_ij = k_i k_j (1 − cos θ) + δ_ij cos θ − ε_ijl k_l sin θ     its matrix
 //! ```
 
-use super::is_fixed;
+use super::{Relationship, Triad, is_fixed};
 use crate::expr::{Arena, Expr, Triple, combination, cross, dot};
 
 /// A turn about a unit vector.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turn {
+    /// The body in which the vector is fixed; `None` for ground.
+    pub(crate) body: Option<usize>,
     pub(crate) axis: Triple,
     pub(crate) angle: Expr,
 }
@@ -38,7 +40,8 @@ impl Rotation {
 pub(crate) fn rotated<const N: usize>(arena: &mut Arena, rotations: &[Rotation], vectors: [Triple; N]) -> [Triple; N] {
     rotations.iter().rev().fold(vectors, |vectors, rotation| match rotation {
         Rotation::Turn(turn) => {
-            let rows = turn.matrix(arena).map(|row| row.map(|part| arena.snapped(part)));
+            let axis = turn.body.map_or(turn.axis, |body| arena.turned(body, turn.axis));
+            let rows = Turn { axis, ..*turn }.matrix(arena).map(|row| row.map(|part| arena.snapped(part)));
             vectors.map(|vector| rows.map(|row| dot(arena, row, vector)))
         }
         Rotation::OfBody(body) => vectors.map(|vector| {
@@ -51,8 +54,19 @@ pub(crate) fn rotated<const N: usize>(arena: &mut Arena, rotations: &[Rotation],
     })
 }
 
-/// 2 tan(δ/2) n, where a rotation by δ about the unit vector n leads from the second axes to the first.
-pub(crate) fn rodrigues(arena: &mut Arena, one: [Triple; 3], two: [Triple; 3]) -> Triple {
+/// 2 tan(δ/2) n, where a rotation by δ about the unit vector n leads from the second orientation to the first, and what it means that it is
+/// zero, if each of them is fixed in a body or in ground.
+pub(crate) fn difference(arena: &mut Arena, one: &[Rotation], two: &[Rotation]) -> (Triple, Option<Relationship>) {
+    let relation = match [one, two].map(|rotations| Triad::of(arena, rotations)) {
+        [Some(one), Some(two)] => Some(Relationship::Equal(one, two)),
+        _ => None,
+    };
+    let axes = natural(arena);
+    let [one, two] = [one, two].map(|rotations| rotated(arena, rotations, axes));
+    (rodrigues(arena, one, two), relation)
+}
+
+fn rodrigues(arena: &mut Arena, one: [Triple; 3], two: [Triple; 3]) -> Triple {
     let (unity, double) = (arena.integer(1), arena.integer(2));
     let sines = [0, 1, 2].map(|k| cross(arena, two[k], one[k]));
     let cosines = [0, 1, 2].map(|k| dot(arena, two[k], one[k]));

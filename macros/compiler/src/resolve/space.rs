@@ -10,7 +10,7 @@ use super::{elaborate::Elaborator, statement::ScalarEquation};
 use crate::diag::{ArityFact, Range, ValueFact, Wanted};
 use crate::expr::{Expr, Frame, Leaf, Mark, Node, Triple, cross, dot};
 use crate::geometry::{
-    Components, Geometry, JointQuantity, Place, Relationship, Rotation, Triad, Turn, angle_near, longest, natural, rodrigues, rotated,
+    Components, Geometry, JointQuantity, Place, Relationship, Rotation, Triad, Turn, angle_near, difference, longest, natural, rotated,
     rotation,
 };
 use crate::hints::decimal_comma;
@@ -132,7 +132,7 @@ impl Elaborator<'_> {
             }
             "turn" => {
                 let angle = self.scalar_of(&arguments[1], Dim::ANGLE, scope)?.expr;
-                Some(Value::Orientation([Rotation::Turn(Turn { axis: triad.axes[2], angle })].into()))
+                Some(Value::Orientation([Rotation::Turn(Turn { body: triad.body, axis: triad.axes[2], angle })].into()))
             }
             "across" | "along" => {
                 let second = values[1].clone();
@@ -314,16 +314,10 @@ impl Elaborator<'_> {
         Value::Orientation(frame.body().map(Rotation::OfBody).into_iter().collect())
     }
 
-    /// The rows that make two orientations equal: those of `misalignment` where each is fixed in a body, otherwise those of
-    /// `drive_orientation`.
+    /// The rows that make two orientations equal.
     pub(super) fn between_orientations(&mut self, one: &[Rotation], two: &[Rotation]) -> Vector {
-        let triads = [one, two].map(|rotations| Triad::of(&mut self.arena, rotations));
-        if let [Some(one), Some(two)] = triads {
-            return self.misalignment(one, two);
-        }
-        let axes = natural(&mut self.arena);
-        let [one, two] = [one, two].map(|rotations| rotated(&mut self.arena, rotations, axes));
-        let parts = rodrigues(&mut self.arena, one, two);
+        let (parts, relation) = difference(&mut self.arena, one, two);
+        self.space.origins.extend(relation.map(|relation| (parts.to_vec(), relation)));
         Vector { parts: Components::space(parts), measure: InferredDim::Known(Dim::ANGLE) }
     }
 

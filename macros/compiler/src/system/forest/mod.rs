@@ -186,7 +186,7 @@ impl Forest<'_> {
     fn next_relation(&self) -> Option<(usize, usize, Relationship)> {
         let rank = |(joint, _, relation): &&(usize, usize, Relationship)| {
             let unknowns = match relation {
-                Relationship::SameOrientation(..) => 0,
+                Relationship::SameOrientation(..) | Relationship::Equal(..) => 0,
                 Relationship::SameDirection(..) => 1,
                 Relationship::Perpendicular(..) => 2,
                 Relationship::Coincident(..) | Relationship::OnLine(..) => return None,
@@ -215,6 +215,11 @@ impl Forest<'_> {
         self.holding.extend((0..relation.rows()).map(|offset| (joint, row + offset)));
         match relation {
             Relationship::SameOrientation(one, two) => {
+                let (inner, outer) = self.inward(one, two);
+                let outer = self.facing_in_all(inner, outer);
+                self.reach_without_angle(joint, inner, outer);
+            }
+            Relationship::Equal(one, two) => {
                 let (inner, outer) = self.inward(one, two);
                 self.reach_without_angle(joint, inner, outer);
             }

@@ -13,6 +13,7 @@ impl Forest<'_> {
         let Some(body) = outer.body else { return };
         if let Some(row) = self.twist(one, two) {
             self.holding.insert(row);
+            let outer = self.facing_in_all(inner, outer);
             self.reach_without_angle(joint, inner, outer);
             return;
         }
@@ -46,7 +47,6 @@ impl Forest<'_> {
 
     /// Reaches a body whose triad has the axes of another.
     pub(super) fn reach_without_angle(&mut self, joint: usize, inner: Triad, outer: Triad) {
-        let outer = self.facing_in_all(inner, outer);
         let axes = self.in_ground(inner);
         self.note_start(inner, outer, None);
         self.attach(joint, inner.body, outer, axes, &[]);
