@@ -20,6 +20,21 @@ fn compiles_one() {
     assert!(syn::parse2::<syn::File>(expansion).is_ok());
 }
 
+/// They are fields of fields.
+#[test]
+fn sines_of_inputs_and_of_parameters_of_parts_have_names() {
+    for declaration in [
+        "mechanism M { input u: Angle; body a { mass = 1kg; inertia = 1kgm2; } joint h = revolute(ground.position, a.position);
+         drive d = drive_angle(a, 1rad_s * t); force f = { on a: 1Nm * sin(u); } output y = sin(u) * a.angle; output z = cos(u); }",
+        "mechanism M { part p[0] = C(ground.position); part p[1] = C(p[0].a.P); component C(Q: Point) { param u: Angle = 10deg;
+         body a { point P = (cos(u) * 1m, sin(u) * 1m); } joint h = revolute(Q, a.position); drive d = drive_angle(a, 1rad_s * t);
+         output y = sin(u) * a.angle; } }",
+    ] {
+        let expansion = reuleaux_compiler::mechanism(declaration.parse().expect("tokens"));
+        assert!(!expansion.to_string().contains("compile_error") && syn::parse2::<syn::File>(expansion).is_ok());
+    }
+}
+
 /// Output of a process that compiles with a folder for expansions.
 fn compiled_with(folder: &Path) -> String {
     let this = std::env::current_exe().expect("this program");

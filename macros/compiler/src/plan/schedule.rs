@@ -147,8 +147,9 @@ impl<'a> Scheduler<'a> {
         let prefix = if function == Unary::Sin { "sin" } else { "cos" };
         match self.names.get(&angle) {
             Some(name) => {
-                let name = format!("{prefix}_{}", name.replace("self.", ""));
-                self.unique(name)
+                // Inputs and parameters of parts are fields of fields.
+                let plain = name.trim_start_matches("self.").replace(|letter: char| !letter.is_alphanumeric(), "_");
+                self.unique(format!("{prefix}_{plain}"))
             }
             None => self.next(&format!("{prefix}_")),
         }
