@@ -43,7 +43,8 @@ impl Numeric<'_> {
             let off = if is_angle { within_a_turn(off) } else { off };
             let shown = |value: f64| if is_angle { degrees(value) } else { millimetres(value) };
             let instead = if is_angle {
-                format!("{}deg", significant((declared + off).to_degrees().round()))
+                let meant = if is_without_unit(declared) { declared } else { (declared + off).to_degrees().round() };
+                format!("{}deg", significant(meant))
             } else {
                 shown(declared + off).replace(' ', "")
             };
@@ -83,9 +84,7 @@ impl Numeric<'_> {
             // A drive may start whole turns away.
             let apart = within_a_turn(start[unknown] - declared(unknown)).abs();
             if apart > FAR_ANGLE {
-                // A value such as 70 was probably meant in degrees: its unit is missing.
-                let is_without_unit = declared(unknown).abs() > TAU && declared(unknown).fract() == 0.0;
-                let meant = if is_without_unit { declared(unknown) } else { start[unknown].to_degrees().round() };
+                let meant = if is_without_unit(declared(unknown)) { declared(unknown) } else { start[unknown].to_degrees().round() };
                 let instead = format!("{}deg", significant(meant));
                 return Some(doubt("angle", unknown, degrees(start[unknown]), degrees(declared(unknown)), degrees(apart), instead));
             }
@@ -133,4 +132,9 @@ impl Numeric<'_> {
         let joint = &self.model.joints[self.system.equations[equation].joint];
         joint.is_drive.then(|| joint.name.to_string())
     }
+}
+
+/// True of an angle in rad, such as 70, that was probably meant in degrees: its unit is missing.
+fn is_without_unit(angle: f64) -> bool {
+    angle.abs() > TAU && angle.fract() == 0.0
 }

@@ -56,7 +56,7 @@ codes! {
     E0011: Grammar::PathOfConstraint;
     E0012: Grammar::SpaceBeforeUnit Grammar::UnitRaised;
     E0013: Grammar::ExponentTooLarge;
-    E0014: Grammar::OnlyAtTheTop Grammar::StartInLoop;
+    E0014: Grammar::OnlyAtTheTop Grammar::StartInLoop Grammar::StartOfJoint;
     E0015: Grammar::ClosingWord Grammar::AllowedWord Grammar::AttributeTwice Grammar::SecondTask;
     // Names.
     E0101: Name::UnknownName;

@@ -94,6 +94,7 @@ pub enum GrammarFact {
     ExponentTooLarge { limit: u8 },
     OnlyAtTheTop { word: String },
     StartInLoop,
+    StartOfJoint,
     IndexInEquations { name: String },
 }
 
@@ -415,6 +416,8 @@ pub enum ValueFact {
     /// A start outside bodies that is not of an angle or a displacement of a joint in space.
     NotAStart {
         written: String,
+        /// The body of which it is something.
+        body: Option<String>,
         ambient: Ambient,
     },
     FunctionNeedsArgument,

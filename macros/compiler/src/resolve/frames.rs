@@ -7,7 +7,7 @@ use super::{Body, BodyCoordinate, Name, Requirement};
 use crate::diag::nearest;
 use crate::diag::{NameFact, Range, ValueFact};
 use crate::expr::{Expr, Leaf};
-use crate::geometry::{JointQuantity, quaternion};
+use crate::geometry::{Components, JointQuantity, quaternion};
 use crate::model::{DECLARED, JointStart};
 use crate::names::{Context, EntityId, Fixed, FrameId, FrameScope, Key, Scope, Value};
 use crate::quantity::{Ambient, Dim, InferredDim, Role};
@@ -44,18 +44,19 @@ impl Elaborator<'_> {
             self.has_to_be_finite(*part, Key::Value(mark.id(), 0), mark.value.range, noun);
         }
         if mark.is_axis {
-            let is_zero = local.iter().all(|part| self.arena.as_constant(*part).is_some_and(|value| value.is_zero()));
-            if is_zero {
-                return self.refuse(
-                    mark.value.range,
-                    ValueFact::ZeroAxis { name: mark.name.to_string(), in_space: self.names.ambient == Ambient::Space },
-                );
-            }
+            self.is_not_zero(mark.value.range, &mark.name, local)?;
             let measure = InferredDim::Known(vector.measure.settled());
             let zero = self.zero_direction(mark, &scope, local)?;
             return Some(Value::Axis(Fixed { frame, local, measure, zero }));
         }
         Some(Value::Point(Fixed { frame, local, measure: InferredDim::Known(Dim::LENGTH), zero: None }))
+    }
+
+    /// Refuses the direction of an axis whose components are all zero.
+    pub(super) fn is_not_zero(&mut self, range: Range, name: &dyn ToString, axis: Components) -> Option<()> {
+        let is_zero = axis.iter().all(|part| self.arena.as_constant(*part).is_some_and(|value| value.is_zero()));
+        let in_space = self.names.ambient == Ambient::Space;
+        if is_zero { self.refuse(range, ValueFact::ZeroAxis { name: name.to_string(), in_space }) } else { Some(()) }
     }
 
     /// Records a value to be checked for finiteness once all defaults are known. Always returns true.
@@ -165,9 +166,14 @@ impl Elaborator<'_> {
 
     fn joint_start(&mut self, start: &ast::Shared<ast::StartItem>, scope: &Scope) -> Option<()> {
         let (range, ambient) = (start.quantity.range, self.names.ambient);
-        let value = if ambient == Ambient::Space { Some(self.value(&start.quantity, scope)?) } else { None };
+        let written = start.quantity.to_string();
+        let (owner, word) = written.rsplit_once('.').unwrap_or(("", &written));
+        let body = self.names.frames.iter().skip(1).find(|frame| frame.name == owner).map(|frame| frame.name.clone());
+        let is_owned = body.is_some() || (owner.is_empty() && word.len() > 1);
+        let is_known = is_owned && (ambient.start_words().any(|known| known == word) || ["angle", "displacement"].contains(&&*written));
+        let value = if ambient == Ambient::Plane || is_known { None } else { Some(self.value(&start.quantity, scope)?) };
         let Some(found) = value.and_then(|value| self.quantity_at(value.scalar()?.expr)) else {
-            return self.refuse(range, ValueFact::NotAStart { written: start.quantity.to_string(), ambient });
+            return self.refuse(range, ValueFact::NotAStart { written, body, ambient });
         };
         let dim = if matches!(found, JointQuantity::Angle(..)) { Dim::ANGLE } else { Dim::LENGTH };
         let value = self.scalar_of(&start.value, dim, scope)?.expr;
@@ -175,10 +181,8 @@ impl Elaborator<'_> {
             return self.refuse(start.value.range, ValueFact::NotFixed { place: "a start value" });
         }
         self.has_to_be_finite(value, Key::Value(start.id(), 0), start.value.range, "the start value");
-        let written = start.quantity.to_string();
         if self.space.starts.iter().any(|known| known.quantity == found) {
-            let (body, name) = written.rsplit_once('.').map(|(owner, name)| (owner.to_owned(), name.to_owned()))?;
-            return self.refuse(range, NameFact::DuplicateStart { name, body });
+            return self.refuse(range, NameFact::DuplicateStart { name: word.to_owned(), body: owner.to_owned() });
         }
         self.space.starts.push(JointStart { quantity: found, value, written, range });
         Some(())

@@ -250,6 +250,7 @@ impl Elaborator<'_> {
                 Some(Value::Point(Fixed { frame: FrameId::GROUND, local: vector.parts, measure, zero: None }))
             }
             (FormalKind::Axis, Value::Vector(vector)) if vector.parts.iter().all(|part| self.is_fixed(*part)) => {
+                self.is_not_zero(argument.range, argument, vector.parts)?;
                 let measure = InferredDim::Known(vector.measure.settled());
                 Some(Value::Axis(Fixed { frame: FrameId::GROUND, local: vector.parts, measure, zero: None }))
             }

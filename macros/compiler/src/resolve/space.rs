@@ -123,6 +123,7 @@ impl Elaborator<'_> {
             }
             return self.not_a(arguments[0].range, Wanted::Axis, values[0].kind());
         };
+        self.is_not_zero(arguments[0].range, &arguments[0], axis.local)?;
         let triad = self.triad(axis)?;
         match word.as_str() {
             "x_axis" | "y_axis" | "z_axis" => {

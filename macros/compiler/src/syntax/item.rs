@@ -520,6 +520,9 @@ fn mark(input: ParseStream) -> Parsed<Feature> {
 fn start(input: ParseStream) -> Parsed<Start> {
     Ident::parse_any(input)?;
     let what = name(input, "`x`, `y`, `angle` or `position`")?;
+    if input.peek(Token![.]) {
+        return wrong(&what, GrammarFact::StartOfJoint);
+    }
     let value = value(input)?;
     Ok(Start { what, value })
 }

@@ -501,6 +501,9 @@ fn a_declared_angle_far_from_the_assembly_is_told() {
     };
     assert_eq!(doubts("start c.angle = 109deg;"), Vec::<String>::new());
     assert_eq!(doubts("start c.angle = 40deg;"), told("40°", "68.63°"));
+    // A unit is missing: 110 rad are 6303°.
+    let doubt = doubts("start c.angle = 110;").concat();
+    assert!(doubt.ends_with("\nhelp: write `start c.angle = 110deg;`, or `#[allow(far_start)]` before the mechanism"), "{doubt}");
     assert_eq!(doubts("start b.angle = 50deg; start o.angle = 0deg; start c.angle = 160deg;"), told("160°", "51.37°"));
 }
 

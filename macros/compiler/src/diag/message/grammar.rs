@@ -193,6 +193,9 @@ impl Display for GrammarFact {
                 write!(f, "`{word}` stands in the mechanism itself, not in a component or a loop\nhelp: move it out")
             }
             GrammarFact::StartInLoop => write!(f, "a body starts once: `start` cannot be repeated\nhelp: move it out of the loop"),
+            GrammarFact::StartOfJoint => {
+                write!(f, "a body says how it starts itself, and not how a joint does\nhelp: move it out of the body")
+            }
             GrammarFact::IndexInEquations { name } => {
                 write!(f, "`{name}` cannot have an index: there are no arrays among equations\nhelp: declare the array in the mechanism")
             }

@@ -227,18 +227,7 @@ impl Display for ValueFact {
                 let help = if place.contains("start") { "write where it is about" } else { "what moves along a body is a body of its own" };
                 write!(f, "\nhelp: {help}")
             }
-            ValueFact::NotAStart { written, ambient: Ambient::Plane } => {
-                let (body, what) = written.rsplit_once('.').unwrap_or(("crank", written));
-                write!(f, "a start in the plane is that of a body\nhelp: write `start {what} = …;` in `body {body} {{ … }}`")
-            }
-            ValueFact::NotAStart { written, .. } => {
-                write!(f, "`{written}` is no angle and no displacement of a joint")?;
-                let joint = if written.chars().all(|letter| letter.is_alphanumeric() || letter == '_') { written } else { "joint" };
-                write!(
-                    f,
-                    "\nhelp: write `start {joint}.angle = 30deg;`; where a body starts is told in the body, as in `start position = …;`"
-                )
-            }
+            ValueFact::NotAStart { written, body, ambient } => not_a_start(f, written, body.as_deref(), *ambient),
             ValueFact::FunctionNeedsArgument => {
                 write!(
                     f,
@@ -301,5 +290,27 @@ fn slope(value: f64, dim: Dim, along: Dim) -> String {
         Dim::ANGLE => format!("{} per degree", remedy::quantity(rounded(value.to_radians()), dim)),
         Dim::TIME => format!("{} per second", remedy::quantity(rounded(value), dim)),
         _ => remedy::quantity(rounded(value), dim.per(along)),
+    }
+}
+
+fn not_a_start(f: &mut Formatter, written: &str, body: Option<&str>, ambient: Ambient) -> Result {
+    let what = written.rsplit('.').next().filter(|word| ambient.start_words().any(|known| known == *word));
+    let owner = body.unwrap_or("b");
+    let joint = if written.chars().all(|letter| letter.is_alphanumeric() || letter == '_') { written } else { "joint" };
+    match (ambient, what) {
+        (Ambient::Plane, _) => {
+            let what = what.unwrap_or("angle");
+            write!(f, "a start in the plane is that of a body\nhelp: write `start {what} = …;` in `body {owner} {{ … }}`")
+        }
+        (Ambient::Space, Some(what)) if body.is_some() || what == written => {
+            write!(f, "a start outside bodies is that of a joint\nhelp: write `start {what} = …;` in `body {owner} {{ … }}`")
+        }
+        (Ambient::Space, _) if ["angle", "displacement"].contains(&written) => {
+            write!(f, "it is not said of which joint\nhelp: write `start joint.{written} = …;`")
+        }
+        (Ambient::Space, _) => {
+            write!(f, "`{written}` is no angle and no displacement of a joint\nhelp: write `start {joint}.angle = 30deg;`")?;
+            write!(f, "; where a body starts is told in the body, as in `start position = …;`")
+        }
     }
 }

@@ -10,8 +10,9 @@ impl Exact {
         if value == 0.0 {
             return Some(Exact::ZERO);
         }
-        let exponent = libm::ilogb(value) - 52;
-        if !value.is_finite() || exponent.abs() > 118 {
+        // Of what is not finite it is an extreme integer.
+        let exponent = libm::ilogb(value).saturating_sub(52);
+        if !value.is_finite() || exponent.saturating_abs() > 118 {
             return None;
         }
         let (whole, power) = (libm::scalbn(value, -exponent) as i128, 1_i128 << exponent.abs());
