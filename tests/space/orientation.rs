@@ -187,7 +187,7 @@ fn orientations_are_equated_and_turn_vectors() {
 mechanism! {
     /// Two bodies that start far from where equations put them, and a third that is turned about an axis of an arm.
     #[allow(far_start)]
-    mechanism Turned in space {
+    mechanism Placed in space {
         param lead: Angle = 30deg;
         ground { axis z = (0, 0, 1); }
         body far   { start orientation = turn((0, 0, 1), 10deg); }
@@ -208,7 +208,7 @@ mechanism! {
 
 #[test]
 fn equal_orientations_are_no_half_turns_apart_wherever_bodies_start() {
-    let state = Turned::default().solve(0.0).expect("a state");
+    let state = Placed::default().solve(0.0).expect("a state");
     let far = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 170_f64.to_radians());
     assert!(off(state.far().orientation(), far) < 1e-15, "{}", state.far().orientation());
     let next = far * UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 20_f64.to_radians());
@@ -217,7 +217,7 @@ fn equal_orientations_are_no_half_turns_apart_wherever_bodies_start() {
 
 #[test]
 fn turns_about_axes_of_bodies_move_with_them() {
-    let (turned, across) = (Turned::default(), UnitVector3::new_normalize(Vector3::new(1.0, 2.0, 2.0)));
+    let (turned, across) = (Placed::default(), UnitVector3::new_normalize(Vector3::new(1.0, 2.0, 2.0)));
     for state in turned.sweep((0..50).map(|step| 0.1 * f64::from(step))) {
         let state = state.expect("a state");
         let arm = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), state.t);
