@@ -1,7 +1,7 @@
 //! A body whose whole orientation follows a law.
 
-use reuleaux::mechanism;
 use reuleaux::nalgebra::{UnitQuaternion, UnitVector3, Vector3};
+use reuleaux::{Motion, mechanism};
 
 mechanism! {
     /// A platform on a ball joint that turns over, and a camera that is aimed from it.
@@ -69,6 +69,24 @@ mechanism! {
         }
         output view = lens.orientation * (3, 0, 4);
         output back = turn((0, 0, 1), -1rad_s * t) * lens.view;
+    }
+}
+
+mechanism! {
+    /// Equations of orientations that contain an input and the angle of a hinge.
+    pub mechanism Steered in space {
+        param factor: Number = 2;
+        input tilt: Angle = 10deg;
+        ground { axis z = (0, 0, 1);  point m = (0.3m, 0.1m, 0m); }
+        body arm { axis z = (0, 0, 1);  point tip = (0.5m, 0.1m, 0.2m); }
+        body wrist { point end = (0.1m, 0.2m, -0.3m); }
+        body tool {}
+        joint hinge = revolute(ground.m, ground.z, arm.position, arm.z);
+        joint ball = spherical(arm.tip, wrist.position);
+        joint seat = spherical(wrist.end, tool.position);
+        drive motor = drive_rotation(hinge, 1rad_s * t + 0.5rad * sin(2rad_s * t));
+        joint thread = { wrist.orientation == arm.orientation * turn((1, 2, -1), factor * hinge.angle + 0.3rad); }
+        drive aim = { turn((1, 0, 1), tilt + 0.2rad_s * t) * tool.orientation == wrist.orientation * turn((0, 1, 0), hinge.angle); }
     }
 }
 
@@ -233,5 +251,32 @@ fn turns_about_axes_of_bodies_move_with_them() {
         let axis = arm * across.into_inner();
         let tip = axis.cross(&Vector3::z()) + axis * axis.z;
         assert!((turned.tip(&state).value - tip).norm() < 1e-15, "{}", state.t);
+    }
+}
+
+/// Its equations come joint by joint, and read the input of the mechanism where there is no state.
+#[test]
+fn equations_of_orientations_contain_inputs_and_angles() {
+    let turn = |axis: [f64; 3], angle: f64| UnitQuaternion::from_axis_angle(&UnitVector3::new_normalize(axis.into()), angle);
+    let steered = Steered::default();
+    for step in 0..100 {
+        let t = f64::from(step) / 30.0;
+        let tilt = swing(0.7, 1.3, t);
+        let inputs = SteeredInputs { tilt: Motion::new(tilt[0], tilt[1], tilt[2]) };
+        let state = steered.solve(t, inputs).expect("a state");
+        let hinge = t + 0.5 * (2.0 * t).sin();
+        let wrist = turn([0.0, 0.0, 1.0], hinge) * turn([1.0, 2.0, -1.0], 2.0 * hinge + 0.3);
+        let tool = turn([1.0, 0.0, 1.0], -(tilt[0] + 0.2 * t)) * wrist * turn([0.0, 1.0, 0.0], hinge);
+        for (found, wanted) in [(state.wrist(), wrist), (state.tool(), tool)] {
+            assert!(off(found.orientation(), wanted) < 1e-14, "{t}: {:e}", off(found.orientation(), wanted));
+        }
+        // ω of the tool in ground: that of the wrist and of the turn about y, less the tilt, turned back.
+        let about = |axis: [f64; 3]| Vector3::from(axis).normalize();
+        let (rate, back) = (1.0 + (2.0 * t).cos(), turn([1.0, 0.0, 1.0], -(tilt[0] + 0.2 * t)));
+        let arm = turn([0.0, 0.0, 1.0], hinge);
+        let of_wrist = Vector3::z() * rate + arm * about([1.0, 2.0, -1.0]) * (2.0 * rate);
+        let omega = back * (of_wrist + wrist * Vector3::y() * rate) - about([1.0, 0.0, 1.0]) * (tilt[1] + 0.2);
+        assert!((state.wrist().angular_velocity - of_wrist).norm() < 1e-13, "{t}");
+        assert!((state.tool().angular_velocity - omega).norm() < 1e-13, "{t}");
     }
 }

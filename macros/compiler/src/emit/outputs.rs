@@ -5,7 +5,7 @@ use super::columns::Columns;
 use super::expression::local;
 use super::functions::Emitter;
 use super::literal::number;
-use super::routine::{RoutinePrinter, lines_at, lines_of_state};
+use super::routine::{RoutinePrinter, lines_of_state, lines_of_state_at};
 use super::slices::plain;
 use super::state::body_view;
 use super::{docs, docs_or, state_path};
@@ -118,7 +118,8 @@ impl Emitter<'_> {
     fn alike(&self, method: &Method, shape: &Shape, routine: &Routine) -> TokenStream {
         let mut columns = Columns::new(shape.count);
         let places: Vec<TokenStream> = shape.unknowns.iter().map(|column| columns.place(column)).collect();
-        let RoutinePrinter { reads, steps, results } = lines_at(self.model, &shape.arena, routine, |unknown| places[unknown].clone());
+        let RoutinePrinter { reads, steps, results } =
+            lines_of_state_at(self.model, &shape.arena, routine, |unknown| places[unknown].clone());
         let inputs = columns.inputs(shape, &Words::new(self.model, self.system));
         let (vectors, tables, motion) = (vectors(), columns.tables(), motion(&results, self.derivatives(method)));
         let array = array_of(quote!({ #tables #inputs #reads #steps #motion }), &method.sizes);

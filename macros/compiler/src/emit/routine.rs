@@ -34,9 +34,14 @@ pub(super) fn fast_lines(model: &Model, arena: &Arena, routine: &Routine) -> Rou
     routine_with(model, arena, &of_state(model, routine), reads(routine, number, TOGETHER), "fast_sin_cos")
 }
 
-/// The same in a function of a state where the unknown of a number stands elsewhere.
+/// Prints a routine where the unknown of a number stands elsewhere.
 pub(super) fn lines_at(model: &Model, arena: &Arena, routine: &Routine, place: impl Fn(usize) -> TokenStream) -> RoutinePrinter {
-    routine_with(model, arena, &of_state(model, routine), reads(routine, place, 1), "sin_cos")
+    routine_with(model, arena, routine, reads(routine, place, 1), "sin_cos")
+}
+
+/// The same in a function of a state.
+pub(super) fn lines_of_state_at(model: &Model, arena: &Arena, routine: &Routine, place: impl Fn(usize) -> TokenStream) -> RoutinePrinter {
+    lines_at(model, arena, &of_state(model, routine), place)
 }
 
 /// A routine that reads the inputs of the state `state`, if states hold them.
