@@ -241,3 +241,22 @@ fn a_gas_spring_pushes_two_points_of_space_apart() {
         assert!((strut.loads(&state).lift().effort + push.y).abs() < 1e-12 * push.norm());
     }
 }
+
+mechanism! {
+    /// A block is driven onto a gas spring, and on where there is no room left for the gas.
+    pub(crate) mechanism Crushed {
+        ground { axis u = (1, 0); }
+        body block { mass = 1kg;  inertia = 1kgm2;  start x = 300mm; }
+        joint rail = translational(ground.u, ground.position, block.position);
+        drive press = drive_x(block.position, 300mm - 100mm_s * t);
+        force gas = gas_spring(ground.position, block.position, 100N, 300mm, 150mm);
+    }
+}
+
+#[test]
+fn a_gas_spring_without_room_has_no_force() {
+    let crushed = Crushed::default();
+    let effort = |t: f64| crushed.loads(&crushed.solve(t).unwrap()).press().effort;
+    assert!((effort(1.0) + 300.0).abs() < 1e-11, "{}", effort(1.0));
+    assert!(effort(1.6).is_nan(), "{}", effort(1.6));
+}

@@ -17,7 +17,8 @@ force gas_spring(P: Point, Q: Point, force: Force, length: Length, column: Lengt
     require column > 0: "a gas spring without a column of gas has no force";
     let line = Q - P;
     let room = (column - length + norm(line)) / column;
-    let push = force * room^(-exponent) * unit(line);
+    // The root has no value where there is no room, whatever the exponent.
+    let push = force * sqrt(room)^(-2 * exponent) * unit(line);
     at P: -push;
     at Q: push;
 }
