@@ -102,89 +102,29 @@ pub enum GrammarFact {
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
 pub enum ArrayFact {
-    WithoutIndex {
-        name: String,
-        variable: String,
-    },
-    DuplicateInLoop {
-        name: String,
-        variable: String,
-    },
-    ArrayWithoutIndex {
-        name: String,
-    },
-    NoArray {
-        found: Kind,
-        is_member: bool,
-    },
-    IndexOutOfRange {
-        name: String,
-        index: i64,
-        ends: Option<(usize, usize)>,
-        known: Known,
-    },
-    NegativeIndex {
-        index: i64,
-    },
-    MissingIndex {
-        what: &'static str,
-        missing: String,
-        known: String,
-    },
-    NotWhole {
-        found: String,
-    },
-    /// `%` of angles, lengths or times.
+    WithoutIndex { name: String, variable: String },
+    DuplicateInLoop { name: String, variable: String },
+    ArrayWithoutIndex { name: String },
+    NoArray { found: Kind, is_member: bool },
+    IndexOutOfRange { name: String, index: i64, ends: Option<(usize, usize)>, known: Known },
+    NegativeIndex { index: i64 },
+    MissingIndex { what: &'static str, missing: String, known: String },
+    NotWhole { found: String },
     RemainderOfQuantity,
     NotKnownWhole,
-    EmptyRange {
-        from: i64,
-        to: i64,
-        is_inclusive: bool,
-    },
-    LongRange {
-        rounds: i128,
-        limit: usize,
-    },
-    TooManyItems {
-        limit: usize,
-    },
-    WholeTooLarge {
-        found: String,
-    },
-    UnknownComponent {
-        name: String,
-        near: Option<String>,
-        is_constraint: bool,
-    },
-    ComponentAsConstraint {
-        name: String,
-    },
-    ComponentRecursion {
-        name: String,
-    },
-    ParameterAsArgument {
-        component: String,
-        name: String,
-        part: String,
-    },
-    OutsideOfComponent {
-        name: String,
-        what: &'static str,
-    },
-    UnlikeParts {
-        name: String,
-        component: String,
-    },
-    UnlikeOutputs {
-        name: String,
-    },
-    GeneratedType {
-        name: String,
-    },
-    FieldOfInputs {
-        name: String,
-    },
+    EmptyRange { from: i64, to: i64, is_inclusive: bool },
+    LongRange { rounds: i128, limit: usize },
+    TooManyItems { limit: usize },
+    WholeTooLarge { found: String },
+    UnknownComponent { name: String, near: Option<String>, is_constraint: bool },
+    ComponentAsConstraint { name: String },
+    ComponentRecursion { name: String },
+    ParameterAsArgument { component: String, name: String, part: String },
+    OutsideOfComponent { name: String, what: &'static str },
+    UnlikeParts { name: String, component: String },
+    UnlikeOutputs { name: String },
+    GeneratedType { name: String },
+    FieldOfInputs { name: String },
 }
 
 /// Names: unknown, taken, or in a cycle.
@@ -238,213 +178,69 @@ pub enum ArityFact {
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
 pub enum ValueFact {
     RangeWithoutEnd,
-    NotA {
-        wanted: Wanted,
-        found: Kind,
-        ambient: Ambient,
-    },
-    WrongArgument {
-        parameter: String,
-        definition: String,
-        wanted: Wanted,
-        found: Kind,
-        ambient: Ambient,
-        instead: Option<String>,
-    },
-    WrongArgumentDimension {
-        parameter: String,
-        definition: String,
-        wanted: Dim,
-        found: Dim,
-    },
-    WrongDefault {
-        wanted: Wanted,
-        found: Kind,
-    },
-    WrongDimension {
-        wanted: Dim,
-        found: Dim,
-    },
-    OfFunction {
-        wanted: Dim,
-        found: Dim,
-    },
-    NotARate {
-        written: String,
-        found: Dim,
-        instead: String,
-    },
-    Unlike {
-        action: &'static str,
-        one: Dim,
-        two: Dim,
-    },
-    NotALength {
-        found: Dim,
-        instead: Option<String>,
-    },
-    FunctionTakes {
-        wanted: Dim,
-        found: Dim,
-    },
+    NotA { wanted: Wanted, found: Kind, ambient: Ambient },
+    WrongArgument { parameter: String, definition: String, wanted: Wanted, found: Kind, ambient: Ambient, instead: Option<String> },
+    WrongArgumentDimension { parameter: String, definition: String, wanted: Dim, found: Dim },
+    WrongDefault { wanted: Wanted, found: Kind },
+    WrongDimension { wanted: Dim, found: Dim },
+    OfFunction { wanted: Dim, found: Dim },
+    NotARate { written: String, found: Dim, instead: String },
+    Unlike { action: &'static str, one: Dim, two: Dim },
+    NotALength { found: Dim, instead: Option<String> },
+    FunctionTakes { wanted: Dim, found: Dim },
     OrderOfBodies,
-    CannotCompare {
-        one: Kind,
-        two: Kind,
-    },
-    CannotEquate {
-        one: Kind,
-        two: Kind,
-        ambient: Ambient,
-    },
-    NotTwoComponents {
-        found: usize,
-        /// A number with a decimal comma, as it is meant.
-        meant: Option<String>,
-    },
-    NotThreeComponents {
-        found: usize,
-        /// A number with a decimal comma, as it is meant.
-        meant: Option<String>,
-    },
-    MeansSpace {
-        name: String,
-    },
-    OnlyInSpace {
-        word: String,
-    },
-    OnlyInPlane {
-        word: String,
-    },
-    AlongItsAxis {
-        name: String,
-    },
-    VectorAndNumber {
-        in_space: bool,
-    },
+    CannotCompare { one: Kind, two: Kind },
+    CannotEquate { one: Kind, two: Kind, ambient: Ambient },
+    NotTwoComponents { found: usize, meant: Option<String> },
+    NotThreeComponents { found: usize, meant: Option<String> },
+    MeansSpace { name: String },
+    OnlyInSpace { word: String },
+    OnlyInPlane { word: String },
+    AlongItsAxis { name: String },
+    VectorAndNumber { in_space: bool },
     VectorTimesVector,
     NumberByVector,
-    PowerOfDimension {
-        base: Dim,
-    },
-    NotAnOutput {
-        found: Kind,
-    },
-    NumberTooLong {
-        number: String,
-        limit: usize,
-    },
-    NumberOutOfRange {
-        number: String,
-    },
-    NotFinite {
-        place: &'static str,
-    },
-    TooLarge {
-        limit: usize,
-        in_function: bool,
-    },
+    PowerOfDimension { base: Dim },
+    NotAnOutput { found: Kind },
+    NumberTooLong { number: String, limit: usize },
+    NumberOutOfRange { number: String },
+    NotFinite { place: &'static str },
+    TooLarge { limit: usize, in_function: bool },
     DivisionByZero,
     EqualityInChoice,
     ListOutsideTable,
-    TableArity {
-        found: usize,
-    },
+    TableArity { found: usize },
     TableNeedsList,
     TableNeedsPairs,
-    TableNotIncreasing {
-        before: f64,
-        found: f64,
-        dim: Dim,
-    },
-    TableTooShort {
-        found: usize,
-    },
-    TableNotPeriodic {
-        first: f64,
-        last: f64,
-        dim: Dim,
-    },
-    TableEnds {
-        found: String,
-    },
-    SegmentsArity {
-        found: usize,
-    },
+    TableNotIncreasing { before: f64, found: f64, dim: Dim },
+    TableTooShort { found: usize },
+    TableNotPeriodic { first: f64, last: f64, dim: Dim },
+    TableEnds { found: String },
+    SegmentsArity { found: usize },
     SegmentsNeedList,
     SegmentsEnds,
     NotASegment,
     NotALaw,
-    SegmentWithoutDuration {
-        found: f64,
-        dim: Dim,
-    },
-    SegmentsMissTurn {
-        found: f64,
-    },
-    SegmentsDoNotReturn {
-        off: f64,
-        dim: Dim,
-    },
-    SegmentsJolt {
-        at: f64,
-        velocities: [f64; 2],
-        laws: [Option<String>; 2],
-        along: Dim,
-        dim: Dim,
-    },
-    LawFromTo {
-        name: String,
-        from: f64,
-        to: f64,
-    },
-    NotConstant {
-        place: &'static str,
-        help: &'static str,
-    },
-    EmptyBounds {
-        bounds: String,
-        is_point: bool,
-    },
-    DefaultOutOfBounds {
-        value: String,
-        bounds: String,
-    },
-    NotFixed {
-        place: &'static str,
-    },
-    /// A start outside bodies that is not of an angle or a displacement of a joint in space.
-    NotAStart {
-        written: String,
-        /// The body of which it is something.
-        body: Option<String>,
-        ambient: Ambient,
-    },
+    SegmentWithoutDuration { found: f64, dim: Dim },
+    SegmentsMissTurn { found: f64 },
+    SegmentsDoNotReturn { off: f64, dim: Dim },
+    SegmentsJolt { at: f64, velocities: [f64; 2], laws: [Option<String>; 2], along: Dim, dim: Dim },
+    LawFromTo { name: String, from: f64, to: f64 },
+    NotConstant { place: &'static str, help: &'static str },
+    EmptyBounds { bounds: String, is_point: bool },
+    DefaultOutOfBounds { value: String, bounds: String },
+    NotFixed { place: &'static str },
+    NotAStart { written: String, body: Option<String>, ambient: Ambient },
     FunctionNeedsArgument,
     RateOfVelocity,
     OutputWithoutRate,
     EnergyOfVelocities,
-    NotAnEnergy {
-        found: Dim,
-    },
-    NegativeMass {
-        what: &'static str,
-        body: String,
-        value: f64,
-    },
-    ImpossibleInertia {
-        body: String,
-    },
-    CenterWithoutMass {
-        body: String,
-    },
-    ShapeWithoutMass {
-        name: String,
-    },
-    ZeroAxis {
-        name: String,
-        in_space: bool,
-    },
+    NotAnEnergy { found: Dim },
+    NegativeMass { what: &'static str, body: String, value: f64 },
+    ImpossibleInertia { body: String },
+    CenterWithoutMass { body: String },
+    ShapeWithoutMass { name: String },
+    ZeroAxis { name: String, in_space: bool },
 }
 
 /// Joints, drives and definitions, each on its own.
