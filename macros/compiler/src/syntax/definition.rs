@@ -1,14 +1,16 @@
-//! Parses definitions of constraints and their statements.
+//! Parses definitions of constraints, and the statements that they share with mechanisms.
 
-use super::ast::{Added, Applied, Condition, Definition, Definitions, Docs, Export, ExpressionKind, Formal, FormalKind, Statement};
-use super::dimension::dimension;
-use super::expression::{expression, relation};
-use super::item::{ambient, binding, mass};
+use super::ast::{
+    Added, Applied, Condition, Definition, Definitions, Docs, Export, ExpressionKind, Formal, FormalKind, Let, MassItem, Statement,
+};
+use super::dimension::{dimension, required_dimension};
+use super::expression::{declared, expression, relation, value};
 use super::tokens::{
     Parsed, arrow, attributes, block, comma, docs, equals, expected, keyword, name, parentheses, report, semicolon, skip_item,
     statement_text, visibility, wrong,
 };
 use crate::diag::{Diag, GrammarFact, MotionFact};
+use crate::quantity::Ambient;
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
@@ -305,4 +307,43 @@ fn requirement(input: ParseStream) -> Parsed<Condition> {
     let why = input.parse::<LitStr>()?.value();
     semicolon(input)?;
     Ok(Condition { lhs, relation, rhs, why })
+}
+
+/// `in space` or `in plane`, if written.
+pub(super) fn ambient(input: ParseStream) -> Parsed<Option<Ambient>> {
+    if !input.peek(Token![in]) {
+        return Ok(None);
+    }
+    input.parse::<Token![in]>()?;
+    let word = keyword(input).map(|word| word.to_string());
+    let found = match word.as_deref() {
+        Some("space") => Ambient::Space,
+        Some("plane") => Ambient::Plane,
+        _ => return expected(input, "`space` or `plane`"),
+    };
+    Ident::parse_any(input)?;
+    Ok(Some(found))
+}
+
+/// `let name: Dimension = value;`
+pub(super) fn binding(input: ParseStream) -> Parsed<Let> {
+    input.parse::<Token![let]>()?;
+    let (name, indices) = declared(input, "a name after `let`")?;
+    let dimension = if input.peek(Token![:]) { Some(required_dimension(input)?) } else { None };
+    let value = value(input)?;
+    Ok(Let { name, indices, dimension, value })
+}
+
+/// The value of a mass, a centre or an inertia.
+pub(super) fn mass(input: ParseStream, what: Ident) -> Parsed<MassItem> {
+    let value = expression(input)?;
+    let is_turned = what == "inertia" && keyword(input).is_some_and(|word| word == "along");
+    let along = if is_turned {
+        Ident::parse_any(input)?;
+        Some(expression(input)?)
+    } else {
+        None
+    };
+    semicolon(input)?;
+    Ok(MassItem { what, value, along })
 }

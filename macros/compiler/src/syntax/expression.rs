@@ -11,12 +11,20 @@
 //! ```
 
 use super::ast::{Expression, ExpressionKind, Operator, Path, Relation};
-use super::tokens::{Parsed, braces, brackets, expected, is_path, literal, name, parentheses, path, wrong};
+use super::tokens::{Parsed, braces, brackets, equals, expected, is_path, literal, name, parentheses, path, semicolon, wrong};
 use crate::diag::{GrammarFact, Range};
 use proc_macro2::Span;
 use quote::ToTokens;
 use syn::parse::ParseStream;
 use syn::{Ident, Lit, LitBool, Token, token};
+
+/// `= expression;`
+pub(super) fn value(input: ParseStream) -> Parsed<Expression> {
+    equals(input)?;
+    let value = expression(input)?;
+    semicolon(input)?;
+    Ok(value)
+}
 
 /// Largest depth of a tree, so that no walk over it can exhaust the stack; a sum of as many terms is that deep.
 const DEPTH: u16 = 200;

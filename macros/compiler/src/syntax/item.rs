@@ -1,19 +1,21 @@
 //! Parses the items of a mechanism.
 
 use super::ast::{
-    Closing, Docs, Expression, ExpressionKind, Feature, Following, FrameItem, FunctionItem, Gravity, Item, JointItem, Let, Limits, Marks,
-    MassItem, Mechanism, ParameterItem, Requests, Shared, Start, StartItem, Task, TimeRange, Use,
+    Closing, Docs, Expression, ExpressionKind, Following, FunctionItem, Gravity, Item, JointItem, Limits, Mechanism, ParameterItem,
+    Requests, Shared, StartItem, Task, TimeRange, Use,
 };
+use super::definition::{ambient, binding};
 use super::dimension::{dimension, required_dimension};
-use super::expression::{declared, expression};
+use super::expression::{declared, expression, value};
+use super::frame::{body, ground};
 use super::joint::{energy, freedom, joint};
 use super::options::{Options, options, passing, velocity};
 use super::output::output;
-use super::repeated::{component, part, repeated_items, repeated_marks};
+use super::repeated::{component, part, repeated_items};
 use super::salvage;
 use super::tokens::{
     Parsed, arrow, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, mentions_masses, name, name_before_block,
-    parentheses, path, report, semicolon, skip_item, skip_statement, skip_to_block, statement_text, visibility, wrong,
+    parentheses, path, report, semicolon, skip_item, skip_to_block, visibility, wrong,
 };
 use crate::diag::{ArrayFact, Diag, GrammarFact, Home, Range, ValueFact, Word, home};
 use crate::quantity::Ambient;
@@ -84,22 +86,6 @@ fn head(input: ParseStream) -> Parsed<Mechanism> {
     Ok(Mechanism { docs, task, closing, following, allows_far_start, requests, visibility, name, ambient, items, mentions_masses })
 }
 
-/// `in space` or `in plane`, if written.
-pub(super) fn ambient(input: ParseStream) -> Parsed<Option<Ambient>> {
-    if !input.peek(Token![in]) {
-        return Ok(None);
-    }
-    input.parse::<Token![in]>()?;
-    let word = keyword(input).map(|word| word.to_string());
-    let found = match word.as_deref() {
-        Some("space") => Ambient::Space,
-        Some("plane") => Ambient::Plane,
-        _ => return expected(input, "`space` or `plane`"),
-    };
-    Ident::parse_any(input)?;
-    Ok(Some(found))
-}
-
 /// A mechanism whose head has a mistake: its name, and `in space` if written.
 fn salvaged(head: ParseStream) -> Option<Mechanism> {
     let name = name_before_block(head)?;
@@ -131,7 +117,7 @@ pub(super) struct ItemContext<'a> {
 
 impl ItemContext<'_> {
     /// The mechanism itself.
-    fn top(ambient: Ambient) -> ItemContext<'static> {
+    pub(super) fn top(ambient: Ambient) -> ItemContext<'static> {
         ItemContext { is_top: true, variable: None, ambient }
     }
 }
@@ -293,15 +279,6 @@ fn renamed(input: ParseStream, path: super::ast::Path) -> Parsed<Use> {
     Ok(Use { path, name: name(input, "a name after `as`")? })
 }
 
-/// `let name: Dimension = value;`
-pub(super) fn binding(input: ParseStream) -> Parsed<Let> {
-    input.parse::<Token![let]>()?;
-    let (name, indices) = declared(input, "a name after `let`")?;
-    let dimension = if input.peek(Token![:]) { Some(required_dimension(input)?) } else { None };
-    let value = value(input)?;
-    Ok(Let { name, indices, dimension, value })
-}
-
 /// `param name: Dimension = default;`
 fn parameter(input: ParseStream, docs: Docs) -> Parsed<ParameterItem> {
     Ident::parse_any(input)?;
@@ -382,14 +359,6 @@ fn times(input: ParseStream) -> Parsed<TimeRange> {
     Ok(TimeRange { keyword, limits })
 }
 
-/// `= expression;`
-pub(super) fn value(input: ParseStream) -> Parsed<Expression> {
-    equals(input)?;
-    let value = expression(input)?;
-    semicolon(input)?;
-    Ok(value)
-}
-
 /// Parses a single function with its doc comment.
 pub(super) fn single_function(input: ParseStream, diag: &mut Diag) -> Option<FunctionItem> {
     report(docs(input).and_then(|_| function(input)), diag)
@@ -412,117 +381,4 @@ fn function(input: ParseStream) -> Parsed<FunctionItem> {
     let to = arrow(input)?;
     let value = value(input)?;
     Ok(FunctionItem { name, argument, from, to, value })
-}
-
-fn ground(input: ParseStream, docs: Docs, diag: &mut Diag) -> Parsed<FrameItem> {
-    let name = Ident::parse_any(input)?;
-    frame(input, docs, (name, Vec::new()), "`{` and the points of ground", diag)
-}
-
-fn body(input: ParseStream, docs: Docs, diag: &mut Diag) -> Parsed<FrameItem> {
-    Ident::parse_any(input)?;
-    let name = declared(input, "the name of the body")?;
-    frame(input, docs, name, "`{` and the points of the body", diag)
-}
-
-/// The items of a body. A rejected one is left out, and parsing goes on with the next.
-fn frame(
-    input: ParseStream,
-    docs: Docs,
-    (name, indices): (Ident, Vec<Expression>),
-    what: &'static str,
-    diag: &mut Diag,
-) -> Parsed<FrameItem> {
-    let content = block(input, what)?;
-    let mut frame = FrameItem { docs, name, indices, marks: Marks::default(), starts: Vec::new(), masses: Vec::new() };
-    while !content.is_empty() {
-        if report(frame_item(&content, &mut frame), diag).is_none() {
-            skip_statement(&content);
-        }
-    }
-    Ok(frame)
-}
-
-fn frame_item(content: ParseStream, frame: &mut FrameItem) -> Parsed<()> {
-    // Points may have doc comments; no item is generated that could carry them.
-    docs(content)?;
-    if keyword(content).is_some_and(|word| word == "start") {
-        frame.starts.push(start(content)?);
-    } else if let Some(what) = keyword(content).filter(|word| ["mass", "center", "inertia"].iter().any(|known| word == known)) {
-        Ident::parse_any(content)?;
-        equals(content)?;
-        frame.masses.push(mass(content, what)?);
-    } else {
-        marks(content, &mut frame.marks, ItemContext::top(Ambient::default()))?;
-    }
-    Ok(())
-}
-
-/// The value of a mass, a centre or an inertia.
-pub(super) fn mass(input: ParseStream, what: Ident) -> Parsed<MassItem> {
-    let value = expression(input)?;
-    let is_turned = what == "inertia" && keyword(input).is_some_and(|word| word == "along");
-    let along = if is_turned {
-        Ident::parse_any(input)?;
-        Some(expression(input)?)
-    } else {
-        None
-    };
-    semicolon(input)?;
-    Ok(MassItem { what, value, along })
-}
-
-/// A point, an axis, or a loop over them.
-pub(super) fn marks(input: ParseStream, marks: &mut Marks, place: ItemContext) -> Parsed<()> {
-    let Some(keyword) = keyword(input) else {
-        return expected(input, "`point`, `axis` or `start`");
-    };
-    match keyword.to_string().as_str() {
-        "point" | "axis" => {
-            let mark = mark(input)?;
-            indexed(&mark.name, &mark.indices, place)?;
-            marks.single.push(Shared::new(mark));
-        }
-        "for" => marks.loops.push(Shared::new(repeated_marks(input)?)),
-        "start" => return wrong(&keyword, GrammarFact::StartInLoop),
-        other => {
-            let word = other.to_owned();
-            let is_point =
-                input.peek2(token::Paren) || [input.peek2(Token![=]), input.peek2(Token![:])] != [false; 2] && input.peek3(token::Paren);
-            return wrong(&keyword, GrammarFact::UnknownBodyItem { word, is_point });
-        }
-    }
-    Ok(())
-}
-
-/// `point name = (x, y);` or `axis name = (x, y);`
-fn mark(input: ParseStream) -> Parsed<Feature> {
-    let is_axis = Ident::parse_any(input)? == "axis";
-    let (name, indices) = declared(input, if is_axis { "the name of the axis" } else { "the name of the point" })?;
-    equals(input)?;
-    let before = input.fork();
-    let value = expression(input)?;
-    if input.peek(Token![,]) && !matches!(value.kind, ExpressionKind::Tuple(..)) {
-        let (what, instead) = (if is_axis { "an axis" } else { "a point" }, format!("({})", statement_text(&before)?));
-        return wrong(value.range, GrammarFact::WithoutParentheses { what, instead });
-    }
-    let zero = if is_axis && keyword(input).is_some_and(|word| word == "from") {
-        Ident::parse_any(input)?;
-        Some(expression(input)?)
-    } else {
-        None
-    };
-    semicolon(input)?;
-    Ok(Feature { is_axis, name, indices, value, zero })
-}
-
-/// `start angle = value;`
-fn start(input: ParseStream) -> Parsed<Start> {
-    Ident::parse_any(input)?;
-    let what = name(input, "`x`, `y`, `angle` or `position`")?;
-    if input.peek(Token![.]) {
-        return wrong(&what, GrammarFact::StartOfJoint);
-    }
-    let value = value(input)?;
-    Ok(Start { what, value })
 }

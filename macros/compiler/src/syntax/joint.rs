@@ -3,8 +3,7 @@
 use super::arguments::arguments;
 use super::ast::{Docs, Expression, FreedomItem, JointBody, JointItem};
 use super::definition::statement;
-use super::expression::{declared, expression};
-use super::item::value;
+use super::expression::{declared, expression, value};
 use super::tokens::{Parsed, braces, equals, expected, keyword, name, path, semicolon, wrong};
 use crate::diag::{GrammarFact, MotionFact, Word};
 use proc_macro2::Ident;

@@ -10,6 +10,7 @@ pub mod ast;
 mod definition;
 mod dimension;
 mod expression;
+mod frame;
 mod item;
 mod joint;
 mod options;
