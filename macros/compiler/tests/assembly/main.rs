@@ -2,6 +2,7 @@
 
 mod accepted;
 mod gaps;
+mod joints;
 mod nearest;
 mod plates;
 mod range;
@@ -39,6 +40,23 @@ fn four_bar([ground, crank, coupler, rocker]: [f64; 4], angle: f64, starts: &str
             joint o = revolute(ground.position, crank.position); joint a = revolute(crank.A, coupler.position);
             joint b = revolute(coupler.B, rocker.B); joint c = revolute(rocker.position, ground.C);
             drive input = drive_angle(crank, ({angle}) * 1deg + 1rad_s * t); }}"
+    )
+}
+
+/// A four-bar in space with pivots at (0, 0, 0) and (400, 0, 0) mm and parallel hinges; the crank is at an angle in degrees.
+fn spatial_four_bar(angle: f64, rocker: &str, starts: &str) -> String {
+    format!(
+        "mechanism FourBar in space {{
+            ground {{ axis z = (0, 0, 1); point C = (400mm, 0mm, 0mm); }}
+            body crank {{ axis z = (0, 0, 1); point A = (100mm, 0mm, 0mm); }}
+            body coupler {{ axis z = (0, 0, 1); point B = (350mm, 0mm, 0mm); }}
+            body rocker {{ axis z = (0, 0, 1); point B = (300mm, 0mm, 0mm); {rocker} }}
+            joint o = revolute(ground.position, ground.z, crank.position, crank.z);
+            joint a = spherical(crank.A, coupler.position);
+            joint b = cylindrical(coupler.B, coupler.z, rocker.B, rocker.z);
+            joint c = revolute(ground.C, ground.z, rocker.position, rocker.z);
+            {starts}
+            drive input = drive_rotation(o, {angle}deg + 60rpm * t); }}"
     )
 }
 

@@ -1,6 +1,6 @@
 //! The assembly selected by a start, and starts that do not select one.
 
-use crate::{Random, accepted, four_bar, refused, start};
+use crate::{Random, accepted, four_bar, refused, spatial_four_bar, start};
 use reuleaux_compiler::diag::{AssemblyFact, Doubt, Fact};
 
 #[test]
@@ -228,29 +228,18 @@ fn a_place_far_from_its_start_is_told() {
     );
 }
 
-/// A four-bar in space with a declared orientation of its rocker.
-fn spatial(rocker: &str) -> String {
-    format!(
-        "mechanism FourBar in space {{
-            ground {{ axis z = (0, 0, 1); point C = (400mm, 0mm, 0mm); }}
-            body crank {{ axis z = (0, 0, 1); point A = (100mm, 0mm, 0mm); }}
-            body coupler {{ axis z = (0, 0, 1); point B = (350mm, 0mm, 0mm); }}
-            body rocker {{ axis z = (0, 0, 1); point B = (300mm, 0mm, 0mm); {rocker} }}
-            joint o = revolute(ground.position, ground.z, crank.position, crank.z);
-            joint a = spherical(crank.A, coupler.position);
-            joint b = cylindrical(coupler.B, coupler.z, rocker.B, rocker.z);
-            joint c = revolute(ground.C, ground.z, rocker.position, rocker.z);
-            drive input = drive_rotation(o, 90deg + 60rpm * t); }}"
-    )
+/// A four-bar in space whose crank stands upright.
+fn in_space(rocker: &str) -> String {
+    spatial_four_bar(90.0, rocker, "")
 }
 
 #[test]
 fn an_orientation_far_from_its_start_is_told() {
     // The rocker stands at 109.8° or at 222.2°.
-    assert_eq!(doubts(&spatial("start orientation = turn((0, 0, 1), 90deg);")), []);
+    assert_eq!(doubts(&in_space("start orientation = turn((0, 0, 1), 90deg);")), []);
     // Undeclared orientations cause no warning, although angles of joints at rest count from some.
-    assert_eq!(doubts(&spatial("")), []);
-    let compiled = accepted(&spatial("start orientation = turn((0, 0, -1), 350deg);"));
+    assert_eq!(doubts(&in_space("")), []);
+    let compiled = accepted(&in_space("start orientation = turn((0, 0, -1), 350deg);"));
     let [warning] = compiled.assembly.warnings.as_slice() else { panic!("{:?}", compiled.assembly.warnings) };
     let words = warning.doubt.to_string();
     assert!(
@@ -259,12 +248,12 @@ fn an_orientation_far_from_its_start_is_told() {
     );
     // What the help says is accepted without a warning.
     let instead = words.split('`').find(|word| word.starts_with("start orientation")).expect("a line to type");
-    assert_eq!(doubts(&spatial(instead)), []);
+    assert_eq!(doubts(&in_space(instead)), []);
 }
 
 #[test]
 fn a_declared_orientation_across_the_hinge_is_told() {
-    let turned = |across: f64| spatial(&format!("start orientation = turn((0, 0, 1), 110deg) * turn((1, 0, 0), {across}deg);"));
+    let turned = |across: f64| in_space(&format!("start orientation = turn((0, 0, 1), 110deg) * turn((1, 0, 0), {across}deg);"));
     assert_eq!(doubts(&turned(40.0)), []);
     let compiled = accepted(&turned(60.0));
     let [warning] = compiled.assembly.warnings.as_slice() else { panic!("{:?}", compiled.assembly.warnings) };
@@ -275,7 +264,7 @@ fn a_declared_orientation_across_the_hinge_is_told() {
 
 #[test]
 fn the_orientation_that_a_refusal_shows_leads_to_the_first_of_the_two_assemblies() {
-    let source = spatial("").replace("90deg + 60rpm", "60rpm");
+    let source = spatial_four_bar(0.0, "", "");
     let fact = refused(&source);
     let words = fact.to_string();
     assert!(words.starts_with("two assemblies are equally near: `b.angle` = 54.31° or -54.31°"), "{words}");
@@ -427,86 +416,6 @@ fn coordinates_held_by_a_freedom_of_velocity_begin_where_the_mechanism_closes() 
     }
 }
 
-/// A four-bar in space, with 400 mm between its pivots, whose crank points along ground.
-fn with_start(start: &str) -> String {
-    format!(
-        "mechanism FourBar in space {{
-            ground {{ axis z = (0, 0, 1); point C = (400mm, 0mm, 0mm); }}
-            body crank {{ axis z = (0, 0, 1); point A = (100mm, 0mm, 0mm); }}
-            body coupler {{ axis z = (0, 0, 1); point B = (350mm, 0mm, 0mm); }}
-            body rocker {{ axis z = (0, 0, 1); point B = (300mm, 0mm, 0mm); }}
-            joint o = revolute(ground.position, ground.z, crank.position, crank.z);
-            joint a = spherical(crank.A, coupler.position);
-            joint b = cylindrical(coupler.B, coupler.z, rocker.B, rocker.z);
-            joint c = revolute(ground.C, ground.z, rocker.position, rocker.z);
-            {start}
-            drive input = drive_rotation(o, 1rad_s * t);
-        }}"
-    )
-}
-
-#[test]
-fn a_declared_angle_of_a_joint_decides_between_assemblies() {
-    // The triangle of 300 mm, 350 mm and 300 mm: the angles at the pivot and at the joint between coupler and rocker.
-    let [at_pivot, at_joint] = [(0.3_f64 * 0.3 + 0.3 * 0.3 - 0.35 * 0.35) / (2.0 * 0.3 * 0.3), 0.35 / (2.0 * 0.3)].map(f64::acos);
-    let rocker = std::f64::consts::PI - at_pivot;
-    for (declared, side) in [
-        ("start c.angle = 110deg;", 1.0),
-        ("start c.angle = -70deg;", -1.0),
-        ("start b.angle = 30deg;", 1.0),
-        ("start b.angle = -0.5rad;", -1.0),
-        ("let bend = 40deg; start c.angle = 3 * bend;", 1.0),
-        ("start b.angle = 50deg; start c.angle = 100deg; start o.angle = 10deg;", 1.0),
-    ] {
-        let compiled = accepted(&with_start(declared));
-        let (found, coupler) = (start(&compiled, "rocker.angle"), start(&compiled, "coupler.angle"));
-        assert!((found - side * rocker).abs() < 1e-12, "{found} for {declared}");
-        assert!(
-            (coupler - side * at_joint).abs() < 1e-12 || (coupler - side * (rocker - at_joint)).abs() < 1e-12,
-            "{coupler} for {declared}"
-        );
-        assert!(compiled.model.doubts.is_empty() && compiled.assembly.warnings.is_empty(), "{declared}");
-    }
-}
-
-#[test]
-fn a_declared_displacement_of_a_joint_decides_between_assemblies() {
-    for (declared, wanted) in [("150mm", 0.4), ("-150mm", -0.2)] {
-        let compiled = accepted(&format!(
-            "mechanism SliderCrank in space {{
-                ground {{ axis x = (1, 0, 0); axis z = (0, 0, 1); }}
-                body crank {{ axis z = (0, 0, 1); point A = (100mm, 0mm, 0mm); }}
-                body slide {{ axis x = (1, 0, 0); }}
-                joint o = revolute(ground.position, ground.z, crank.position, crank.z);
-                joint s = translational(ground.position, ground.x, slide.position, slide.x);
-                joint r = distance(crank.A, slide.position, 300mm);
-                start s.displacement = {declared};
-                drive d = drive_rotation(o, 1rad_s * t);
-            }}"
-        ));
-        assert!((start(&compiled, "slide.x") - wanted).abs() < 1e-12, "{} for {declared}", start(&compiled, "slide.x"));
-    }
-}
-
-/// Also where it is that of a joint that closes a loop, of which no coordinate is the angle.
-#[test]
-fn a_declared_angle_far_from_the_assembly_is_told() {
-    let doubts = |declared: &str| -> Vec<String> {
-        let compiled = accepted(&with_start(declared));
-        compiled.assembly.warnings.iter().map(|warning| warning.doubt.to_string()).collect()
-    };
-    let help = "help: write `start c.angle = 109deg;`, or `#[allow(far_start)]` before the mechanism";
-    let told = |declared: &str, apart: &str| {
-        vec![format!("the nearest assembly has `c.angle` at 108.6°, {apart} from its declared start at {declared}\n{help}")]
-    };
-    assert_eq!(doubts("start c.angle = 109deg;"), Vec::<String>::new());
-    assert_eq!(doubts("start c.angle = 40deg;"), told("40°", "68.63°"));
-    // A unit is missing: 110 rad are 6303°.
-    let doubt = doubts("start c.angle = 110;").concat();
-    assert!(doubt.ends_with("\nhelp: write `start c.angle = 110deg;`, or `#[allow(far_start)]` before the mechanism"), "{doubt}");
-    assert_eq!(doubts("start b.angle = 50deg; start o.angle = 0deg; start c.angle = 160deg;"), told("160°", "51.37°"));
-}
-
 /// The angle of the steered wheel is not shared between the wheel and the car.
 #[test]
 fn coordinates_held_by_equations_of_velocities_begin_at_zero_where_they_can() {
@@ -523,24 +432,4 @@ fn coordinates_held_by_equations_of_velocities_begin_at_zero_where_they_can() {
     let found = ["car.x", "car.y", "car.angle", "wheel.x", "wheel.y", "wheel.angle"].map(|name| start(&compiled, name));
     let wanted = [0.0, 0.0, 0.0, 2.0, 0.0, 20.0_f64.to_radians()];
     assert!(found.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-15), "{found:?}");
-}
-
-#[test]
-fn sines_of_bare_numbers_that_are_rather_degrees_are_doubtful() {
-    let doubts = |factor: &str| {
-        let compiled = accepted(&format!(
-            "mechanism M {{ let k = {factor}; body b {{ point A = (1m, 0m); }} joint o = revolute(ground.position, b.position);
-             drive d = drive_angle(b, k * 60rpm * t); }}"
-        ));
-        compiled.model.doubts.iter().map(|warning| warning.doubt.to_string()).collect::<Vec<String>>()
-    };
-    let said = |call: &str, number: &str, instead: &str| {
-        vec![format!("`{number}` has no unit: it is {number} rad\nhelp: write `{instead}`, or `{call}({number}rad)` if it is meant")]
-    };
-    assert_eq!(doubts("sin(30)"), said("sin", "30", "sin(30deg)"));
-    assert_eq!(doubts("cos(-45)"), said("cos", "-45", "cos(-45deg)"));
-    assert_eq!(doubts("2 * tan(7)"), said("tan", "7", "tan(7deg)"));
-    for sure in ["sin(6)", "sin(30deg)", "cos(0.5)", "sin(30rad)", "exp(30)"] {
-        assert_eq!(doubts(sure), Vec::<String>::new(), "{sure}");
-    }
 }

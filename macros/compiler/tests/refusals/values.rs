@@ -123,3 +123,24 @@ fn declared_names_are_no_units() {
     let refused = reuleaux_compiler::compile(source.parse().expect("the source consists of tokens")).err();
     assert!(refused.is_none(), "{refused:?}");
 }
+
+#[test]
+fn sines_of_bare_numbers_that_are_rather_degrees_are_doubtful() {
+    let doubts = |factor: &str| {
+        let source = format!(
+            "mechanism M {{ let k = {factor}; body b {{ point A = (1m, 0m); }} joint o = revolute(ground.position, b.position);
+             drive d = drive_angle(b, k * 60rpm * t); }}"
+        );
+        let compiled = reuleaux_compiler::compile(source.parse().expect("the source consists of tokens")).expect("it is valid");
+        compiled.model.doubts.iter().map(|warning| warning.doubt.to_string()).collect::<Vec<String>>()
+    };
+    let said = |call: &str, number: &str, instead: &str| {
+        vec![format!("`{number}` has no unit: it is {number} rad\nhelp: write `{instead}`, or `{call}({number}rad)` if it is meant")]
+    };
+    assert_eq!(doubts("sin(30)"), said("sin", "30", "sin(30deg)"));
+    assert_eq!(doubts("cos(-45)"), said("cos", "-45", "cos(-45deg)"));
+    assert_eq!(doubts("2 * tan(7)"), said("tan", "7", "tan(7deg)"));
+    for sure in ["sin(6)", "sin(30deg)", "cos(0.5)", "sin(30rad)", "exp(30)"] {
+        assert_eq!(doubts(sure), Vec::<String>::new(), "{sure}");
+    }
+}
