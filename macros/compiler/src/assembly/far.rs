@@ -134,7 +134,7 @@ impl Numeric<'_> {
     }
 }
 
-/// True of an angle in rad, such as 70, that was probably meant in degrees: its unit is missing.
+/// True if an angle in rad, such as 70, was probably meant in degrees: its unit is missing.
 fn is_without_unit(angle: f64) -> bool {
     angle.abs() > TAU && angle.fract() == 0.0
 }

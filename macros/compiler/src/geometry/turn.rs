@@ -54,8 +54,8 @@ pub(crate) fn rotated<const N: usize>(arena: &mut Arena, rotations: &[Rotation],
     })
 }
 
-/// 2 tan(δ/2) n, where a rotation by δ about the unit vector n leads from the second orientation to the first, and what it means that it is
-/// zero, if each of them is fixed in a body or in ground.
+/// 2 tan(δ/2) n of the rotation by δ about the unit vector n that leads from the second orientation to the first. Beside it the relation
+/// that holds where it vanishes, if both orientations are fixed in bodies or in ground.
 pub(crate) fn difference(arena: &mut Arena, one: &[Rotation], two: &[Rotation]) -> (Triple, Option<Relationship>) {
     let relation = match [one, two].map(|rotations| Triad::of(arena, rotations)) {
         [Some(one), Some(two)] => Some(Relationship::Equal(one, two)),
@@ -66,6 +66,7 @@ pub(crate) fn difference(arena: &mut Arena, one: &[Rotation], two: &[Rotation]) 
     (rodrigues(arena, one, two), relation)
 }
 
+/// 2 Σ v_k × u_k / (1 + Σ v_k · u_k) of the axes u and v of two frames.
 fn rodrigues(arena: &mut Arena, one: [Triple; 3], two: [Triple; 3]) -> Triple {
     let (unity, double) = (arena.integer(1), arena.integer(2));
     let sines = [0, 1, 2].map(|k| cross(arena, two[k], one[k]));

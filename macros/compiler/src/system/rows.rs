@@ -120,11 +120,7 @@ fn affine(arena: &mut Arena, residual: Expr) -> (Vec<(u32, Expr)>, Expr) {
 
 /// Replaces rows of velocities by the rows of positions of which they are the rates, and refuses the others if they have to be solved.
 pub(super) fn integrate(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], rows: &mut [Row], diag: &mut Diag) {
-    for joint in &model.joints {
-        if let Some(range) = joint.velocity.filter(|_| !joint.residuals.iter().any(|residual| residual.is_velocity)) {
-            diag.refuse::<()>(range, SystemFact::NoVelocity { joint: joint.name.to_string() });
-        }
-    }
+    kept_joints_have_velocities(model, diag);
     let mut said = Said::default();
     for row in rows.iter_mut().filter(|row| row.is_velocity && !row.is_initial) {
         let joint = &model.joints[row.joint];
@@ -139,6 +135,15 @@ pub(super) fn integrate(model: &Model, arena: &mut Arena, coordinates: &[Coordin
         if model.task.is_solved() && said.is_new(&joint.name) {
             let (name, of) = (joint.name.to_string(), joint.residuals.len());
             diag.refuse::<()>(&joint.name, SystemFact::Nonholonomic { joint: name, row: row.row + 1, of, obstacle });
+        }
+    }
+}
+
+/// Refuses `#[velocity]` before joints without equations of velocities.
+fn kept_joints_have_velocities(model: &Model, diag: &mut Diag) {
+    for joint in &model.joints {
+        if let Some(range) = joint.velocity.filter(|_| !joint.residuals.iter().any(|residual| residual.is_velocity)) {
+            diag.refuse::<()>(range, SystemFact::NoVelocity { joint: joint.name.to_string() });
         }
     }
 }

@@ -117,10 +117,10 @@ refused! {
     driven a_start_angle_in_space: "body c { start «angle» = 30deg; }" => "a body in space does not start with `angle`\nnote: it starts with `x`, `y`, `z`, `position` or `orientation`, such as `start orientation = turn((0, 0, 1), 30deg);`";
     driven a_start_of_a_joint_by_its_name: "start «a» = 30deg;" => "`a` is no angle and no displacement of a joint\nhelp: write `start a.angle = 30deg;`; where a body starts is told in the body, as in `start position = …;`";
     driven a_start_of_a_sum: "start «a.angle + 1rad» = 30deg;" => "`a.angle + 1rad` is no angle and no displacement of a joint\nhelp: write `start joint.angle = 30deg;`; where a body starts is told in the body, as in `start position = …;`";
-    driven a_start_of_no_joint: "start «angle» = 30deg;" => "it is not said of which joint\nhelp: write `start joint.angle = …;`";
+    driven a_start_of_no_joint: "start «angle» = 30deg;" => "`angle` lacks its joint\nhelp: write `start joint.angle = …;`";
     driven a_start_of_a_body_outside: "start «position» = (1m, 0m, 0m);" => "a start outside bodies is that of a joint\nhelp: write `start position = …;` in `body b { … }`";
     driven a_start_of_a_named_body_outside: "start «b.orientation» = turn((0, 0, 1), 30deg);" => "a start outside bodies is that of a joint\nhelp: write `start orientation = …;` in `body b { … }`";
-    driven a_start_of_a_joint_in_a_body: "body c { start «a».angle = 30deg; }" => "a body says how it starts itself, and not how a joint does\nhelp: move it out of the body";
+    driven a_start_of_a_joint_in_a_body: "body c { start «a».angle = 30deg; }" => "a body declares its own start, and that of a joint stands outside bodies\nhelp: move it out of the body";
     driven a_turn_about_no_direction: "output o = turn(«(0, 0, 0)», 30deg) * b.A;" => "the axis `(0, 0, 0)` has no direction: all components are zero\nhelp: write `(1, 0, 0)` for the direction of x";
     driven a_joint_along_no_direction: "body c {} joint d = point_on_line(ground.position, «(0m, 0m, 0m)», c.position);" => "the axis `(0m, 0m, 0m)` has no direction: all components are zero\nhelp: write `(1, 0, 0)` for the direction of x";
     driven two_starts_of_a_joint: "start a.angle = 30deg; start «a.angle» = 31deg;" => "the start of `a` gives `angle` twice\nhelp: take one away";

@@ -58,9 +58,9 @@ crate::refusals! {
     mechanism nothing_follows: "#[equations_only] mechanism Crank { body crank {} joint a = { crank.x == 0; } } «mechanism» Rocker {}" => "nothing may follow the mechanism\nhelp: write one `mechanism!` for each mechanism";
     mechanism option_is_unknown: "#[«equation_only»] mechanism Crank { body crank {} }" => "`#[equation_only]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`, `#[velocity]` before `joint` and `drive`";
     mechanism option_twice: "#[serde] #[serde(default)] #[«serde»] mechanism Crank { body crank {} }" => "`#[serde]` stands here twice\nhelp: take one of them away";
-    item remainder_of_an_angle: "output q = «(1rad_s * t) % 360deg»;" => "`%` is of whole numbers, as in an index\nhelp: `wrap(angle)` is an angle without its whole turns, from -180° to 180°";
-    item remainder_by_a_turn: "output q = «crank.angle % (2 * pi)»;" => "`%` is of whole numbers, as in an index\nhelp: `wrap(angle)` is an angle without its whole turns, from -180° to 180°";
-    item joint_as_a_drive: "drive knee = «revolute»(crank.A, ram.B);" => "`revolute` is a joint, and nothing in it could follow a law\nhelp: write `joint knee = revolute(…);`";
+    item remainder_of_an_angle: "output q = «(1rad_s * t) % 360deg»;" => "`%` takes whole numbers, as in an index\nhelp: `wrap(angle)` is an angle without its whole turns, from -180° to 180°";
+    item remainder_by_a_turn: "output q = «crank.angle % (2 * pi)»;" => "`%` takes whole numbers, as in an index\nhelp: `wrap(angle)` is an angle without its whole turns, from -180° to 180°";
+    item joint_as_a_drive: "drive knee = «revolute»(crank.A, ram.B);" => "`revolute` is a joint, and no argument of it can follow a law\nhelp: write `joint knee = revolute(…);`";
     item decimal_comma_in_a_point: "body b { point P = «(60,5mm, 0mm)»; }" => "a vector in the plane has 2 components, found 3\nhelp: write a decimal point, `60.5mm`";
     item comment_of_another_language: "«#» the slider\noutput q = crank.x;" => "`#` begins an attribute, such as `#[picture]`\nhelp: a comment begins with `//`";
     item comma_after_an_item: "let far = 3mm«,» output q = crank.x + far;" => "expected `;`, found `,`\nhelp: `;` ends each item, `,` stands between arguments";

@@ -40,7 +40,7 @@ impl Display for ArrayFact {
             ArrayFact::RemainderOfQuantity => {
                 write!(
                     f,
-                    "`%` is of whole numbers, as in an index\nhelp: `wrap(angle)` is an angle without its whole turns, from -180° to 180°"
+                    "`%` takes whole numbers, as in an index\nhelp: `wrap(angle)` is an angle without its whole turns, from -180° to 180°"
                 )
             }
             ArrayFact::NotKnownWhole => {

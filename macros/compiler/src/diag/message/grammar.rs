@@ -194,7 +194,7 @@ impl Display for GrammarFact {
             }
             GrammarFact::StartInLoop => write!(f, "a body starts once: `start` cannot be repeated\nhelp: move it out of the loop"),
             GrammarFact::StartOfJoint => {
-                write!(f, "a body says how it starts itself, and not how a joint does\nhelp: move it out of the body")
+                write!(f, "a body declares its own start, and that of a joint stands outside bodies\nhelp: move it out of the body")
             }
             GrammarFact::IndexInEquations { name } => {
                 write!(f, "`{name}` cannot have an index: there are no arrays among equations\nhelp: declare the array in the mechanism")

@@ -113,7 +113,10 @@ impl Display for MotionFact {
                 write!(f, ", or say where a force acts, such as `{{ at P: (0N, -5N); }}`")
             }
             MotionFact::JointForDrive { constraint, name } => {
-                write!(f, "`{constraint}` is a joint, and nothing in it could follow a law\nhelp: write `joint {name} = {constraint}(…);`")
+                write!(
+                    f,
+                    "`{constraint}` is a joint, and no argument of it can follow a law\nhelp: write `joint {name} = {constraint}(…);`"
+                )
             }
             MotionFact::RateForStart { rate } => {
                 write!(f, "`{rate}` is a rate, and `from` gives the value at t = 0\nhelp: write `at {rate}`")

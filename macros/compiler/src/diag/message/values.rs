@@ -306,7 +306,7 @@ fn not_a_start(f: &mut Formatter, written: &str, body: Option<&str>, ambient: Am
             write!(f, "a start outside bodies is that of a joint\nhelp: write `start {what} = …;` in `body {owner} {{ … }}`")
         }
         (Ambient::Space, _) if ["angle", "displacement"].contains(&written) => {
-            write!(f, "it is not said of which joint\nhelp: write `start joint.{written} = …;`")
+            write!(f, "`{written}` lacks its joint\nhelp: write `start joint.{written} = …;`")
         }
         (Ambient::Space, _) => {
             write!(f, "`{written}` is no angle and no displacement of a joint\nhelp: write `start {joint}.angle = 30deg;`")?;
