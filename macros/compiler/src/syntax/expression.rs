@@ -107,7 +107,7 @@ fn sign(input: ParseStream, room: u16) -> Parsed<Expression> {
 }
 
 fn power(input: ParseStream, room: u16) -> Parsed<Expression> {
-    let is_literal = input.peek(Lit);
+    let is_literal = input.cursor().literal().is_some();
     let base = postfix(input, room)?;
     if !input.peek(Token![^]) {
         return Ok(base);
@@ -285,7 +285,8 @@ fn list(content: ParseStream, room: u16) -> Parsed<Vec<Expression>> {
 fn raised(input: ParseStream) -> Option<String> {
     let ahead = input.fork();
     ahead.parse::<Token![^]>().ok()?;
-    Some(ahead.parse::<syn::LitInt>().ok()?.to_string())
+    let (literal, _) = ahead.cursor().literal()?;
+    Some(literal.to_string()).filter(|text| text.bytes().all(|digit| digit.is_ascii_digit()))
 }
 
 fn choice(input: ParseStream, room: u16) -> Parsed<Expression> {

@@ -133,7 +133,8 @@ pub(super) fn arrow(input: ParseStream) -> Parsed<Dimension> {
 /// `;` at the end of an item.
 pub(super) fn semicolon(input: ParseStream) -> Parsed<()> {
     if input.peek(Token![,]) {
-        let decimals = input.peek2(syn::Lit) && input.peek3(Token![;]);
+        let after = input.cursor().punct().and_then(|(_, after)| after.literal()).and_then(|(_, after)| after.punct());
+        let decimals = after.is_some_and(|(end, _)| end.as_char() == ';');
         return wrong(input.span(), if decimals { GrammarFact::DecimalComma } else { GrammarFact::CommaAtEnd });
     }
     if input.peek(Token![<]) || input.peek(Token![>]) || input.peek(Token![<=]) || input.peek(Token![>=]) || input.peek(Token![?]) {
