@@ -9,6 +9,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::equations::{Balance, Dynamics};
 use super::partition::{Partition, Pivots, Redundant, WORSE};
+use super::places::moved;
 use super::stopped::Stopped;
 use crate::number::Scalar;
 
@@ -48,13 +49,14 @@ where
     let lengths = lengths(mechanism);
     let parts = match pivots.as_ref().and_then(|pivots| Partition::along(&jacobian, &gamma, pivots, T::of(WORSE))) {
         Some(parts) => parts,
-        None => Partition::new(&jacobian, &gamma, &lengths, |_| true, &redundant(mechanism))
+        None => Partition::new(&jacobian, &gamma, &lengths, &[true; M], &redundant(mechanism))
             .map_err(|row| singular::<T, S, N, I, M, R>(t, row))?,
     };
     *pivots = Some(parts.pivots);
     let count = parts.independent();
-    let moved = times(&mass, &parts.unknowns(|_| T::ZERO));
-    let side: [T; I] = core::array::from_fn(|k| forces.data.0[0][k] + moved[k]);
+    // M p
+    let at_rest = times(&mass, &parts.unknowns(&[T::ZERO; I]));
+    let side = moved(&forces.data.0[0], T::of(1.0), &at_rest);
     let (mut motions, mut reduced, mut right) = ([[T::ZERO; I]; I], [[T::ZERO; I]; I], [T::ZERO; I]);
     for k in 0..I {
         if k >= count {
@@ -72,7 +74,7 @@ where
         let (owner, coordinate) = S::COORDINATES.get(unknown).map_or(("", ""), |coordinate| (coordinate.body, coordinate.name));
         Stopped::Massless { time: t, owner, coordinate }
     })?;
-    Ok(parts.unknowns(|place| right.get(place).copied().unwrap_or(T::ZERO)))
+    Ok(parts.unknowns(&right))
 }
 
 /// A row depends on the others.
@@ -90,8 +92,7 @@ where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    let length = mechanism.characteristic_length();
-    S::IS_LENGTH.map(|is_length| if is_length { length } else { T::of(1.0) })
+    where_lengths(&S::IS_LENGTH, mechanism.characteristic_length())
 }
 
 /// The rows of redundant joints, of the equations between integrated coordinates or of those at t = 0.
@@ -103,8 +104,18 @@ where
     S: Dynamics<T, N, I, M, R>,
 {
     let length = if S::REDUNDANT > 0 { mechanism.characteristic_length() } else { T::of(1.0) };
-    let power = |row: usize| S::POWERS.get(row).copied().unwrap_or(0);
-    Redundant { count: S::REDUNDANT, sizes: core::array::from_fn(|row| (0..power(row)).fold(T::of(1.0), |size, _| size * length)) }
+    Redundant { count: S::REDUNDANT, sizes: powers(&S::POWERS, length) }
+}
+
+/// A length where it is one, 1 elsewhere.
+fn where_lengths<T: Scalar, const I: usize>(is_length: &[bool; I], length: T) -> [T; I] {
+    is_length.map(|is_length| if is_length { length } else { T::of(1.0) })
+}
+
+/// Powers of a length, those of the first rows.
+fn powers<T: Scalar, const R: usize, const K: usize>(powers: &[u8; R], length: T) -> [T; K] {
+    let power = |row: usize| powers.get(row).copied().unwrap_or(0);
+    core::array::from_fn(|row| (0..power(row)).fold(T::of(1.0), |size, _| size * length))
 }
 
 /// A product with a symmetric matrix, of which the lower triangle counts.

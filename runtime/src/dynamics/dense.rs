@@ -11,7 +11,7 @@ use super::accelerate::{accelerations, singular};
 use super::equations::Dynamics;
 use super::partition::Pivots;
 use super::places::{picked, put};
-use super::project::{levels, project, refresh};
+use super::project::{project, refresh};
 use super::stopped::Stopped;
 use super::tableau::Rates;
 use super::tableau::{DENSE, STAGES, dense, dense_node, dense_stage};
@@ -109,8 +109,7 @@ impl<T: Scalar, const N: usize, const I: usize> Dense<T, N, I> {
         for (vector, coefficients) in [&mut q, &mut qd].into_iter().zip(&self.coefficients) {
             put(vector, &S::INTEGRATED, &core::array::from_fn(|k| value(&coefficients[k])));
         }
-        project(mechanism, known, (&mut q, &mut qd), |q| mechanism.constraints(q, t), levels::<T, S, N, I, M, R>)
-            .map_err(|open| singular::<T, S, N, I, M, R>(t, open.row()))?;
+        project(mechanism, known, (&mut q, &mut qd), t).map_err(|open| singular::<T, S, N, I, M, R>(t, open.row()))?;
         let mut state = State::new(t, q, qd, self.from.qdd);
         refresh(mechanism, &mut state)?;
         Ok(state)

@@ -3,7 +3,7 @@
 use super::accelerate::accelerations;
 use super::equations::Dynamics;
 use super::method::{Method, Trial};
-use super::places::{picked, put};
+use super::places::{moved, picked, put};
 use super::stopped::Stopped;
 use super::tableau::{Rates, STAGES, errors, node, stage, step};
 use crate::number::Scalar;
@@ -34,7 +34,7 @@ impl Method for Explicit {
         let mut end = [state.q, state.qd];
         for (vector, steps) in end.iter_mut().zip(step(&rates)) {
             let before = picked(vector, &S::INTEGRATED);
-            put(vector, &S::INTEGRATED, &core::array::from_fn(|k| before[k] + h * steps[k]));
+            put(vector, &S::INTEGRATED, &moved(&before, h, &steps));
         }
         let [fifth, third] = errors(&rates);
         let errors = core::array::from_fn(|part| core::array::from_fn(|k| [h * fifth[part][k], h * third[part][k]]));
@@ -58,9 +58,8 @@ where
     let (mut there, mut moving, mut pivots) = (state.q, state.qd, None);
     for number in 1..STAGES {
         let [of_positions, of_speeds] = stage(number, &rates);
-        let at: [T; I] = core::array::from_fn(|k| q[k] + h * of_positions[k]);
-        let speeds: [T; I] = core::array::from_fn(|k| u[k] + h * of_speeds[k]);
-        put(&mut there, &S::INTEGRATED, &at);
+        let speeds = moved(&u, h, &of_speeds);
+        put(&mut there, &S::INTEGRATED, &moved(&q, h, &of_positions));
         put(&mut moving, &S::INTEGRATED, &speeds);
         let found = accelerations(mechanism, (&there, &moving), state.t + node::<T>(number) * h, &mut pivots)?;
         if let Some(rates) = rates.get_mut(number) {

@@ -56,9 +56,9 @@ pub(super) struct Pivots<T, const M: usize, const I: usize> {
 }
 
 impl<T, const M: usize, const I: usize> Pivots<T, M, I> {
-    /// True if a row has a pivot.
-    pub(super) fn have(&self, row: usize) -> bool {
-        self.rows.iter().take(self.count).any(|own| *own == row)
+    /// Those rows that have a pivot.
+    pub(super) fn among(&self, rows: &[bool; M]) -> [bool; M] {
+        core::array::from_fn(|row| rows[row] && self.rows.iter().take(self.count).any(|own| *own == row))
     }
 
     /// True if both have the same order, and pivots of the same signs.
@@ -106,7 +106,7 @@ impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
         matrix: &SMatrix<T, M, I>,
         side: &SVector<T, M>,
         lengths: &[T; I],
-        takes_part: impl Fn(usize) -> bool,
+        takes_part: &[bool; M],
         redundant: &Redundant<T, M>,
     ) -> Result<Self, usize> {
         let pivots = Pivots { rows: [0; M], unknowns: core::array::from_fn(|k| k), sizes: [T::ZERO; M], signs: [true; M], count: 0 };
@@ -114,8 +114,8 @@ impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
         let (mut sizes, mut lengths) = ([T::ZERO; M], *lengths);
         let mut count = 0_usize;
         let mut open = this.rows.iter_mut().zip(&mut this.side).zip(&mut this.pivots.rows).zip(&mut sizes);
-        for ((number, row), value) in by_rows(matrix).iter().enumerate().zip(side.iter()) {
-            if !takes_part(number) {
+        for (((number, row), value), takes_part) in by_rows(matrix).iter().enumerate().zip(side.iter()).zip(takes_part) {
+            if !takes_part {
                 continue;
             }
             if let Some((((entries, side), name), own)) = open.next() {
@@ -203,10 +203,10 @@ impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
     }
 
     /// Unknowns, of which the independent ones are given by their place behind the dependent ones.
-    pub(super) fn unknowns(&self, independent: impl Fn(usize) -> T) -> [T; I] {
+    pub(super) fn unknowns(&self, independent: &[T; I]) -> [T; I] {
         let mut values = [T::ZERO; I];
-        for (place, value) in values.iter_mut().skip(self.rank).enumerate() {
-            *value = independent(place);
+        for (value, given) in values.iter_mut().skip(self.rank).zip(independent) {
+            *value = *given;
         }
         let given = values;
         for ((value, row), side) in values.iter_mut().zip(&self.rows).zip(&self.side).take(self.rank) {
@@ -242,6 +242,11 @@ impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
     /// The unknown that is the independent one at a place.
     pub(super) fn independent_at(&self, place: usize) -> usize {
         self.pivots.unknowns.get(self.rank + place).copied().unwrap_or(0)
+    }
+
+    /// The entries of the independent unknowns, by their places.
+    pub(super) fn independent_of(&self, values: &[T; I]) -> [T; I] {
+        core::array::from_fn(|place| values.get(self.independent_at(place)).copied().unwrap_or(T::ZERO))
     }
 
     /// Number of independent unknowns.
@@ -284,7 +289,7 @@ pub(super) fn weakest<T: Scalar, const M: usize, const I: usize>(
     lengths: &[T; I],
     redundant: &Redundant<T, M>,
 ) -> (usize, T) {
-    let parts = match Partition::new(matrix, &SVector::from_element(T::ZERO), lengths, |_| true, redundant) {
+    let parts = match Partition::new(matrix, &SVector::from_element(T::ZERO), lengths, &[true; M], redundant) {
         Ok(parts) => parts,
         Err(row) => return (row, T::ZERO),
     };

@@ -20,6 +20,12 @@ pub(super) fn put<T: Scalar, const N: usize, const I: usize>(vector: &mut SVecto
     }
 }
 
+/// x + h y
+#[inline(always)]
+pub(super) fn moved<T: Scalar, const I: usize>(x: &[T; I], h: T, y: &[T; I]) -> [T; I] {
+    core::array::from_fn(|k| x[k] + h * y[k])
+}
+
 /// True if all entries are finite. A finite sum has finite terms; each is looked at only where the sum is not. Four sums, which the processor
 /// forms at a time.
 #[inline(always)]

@@ -7,7 +7,7 @@ use super::checks::{holds, unit_of};
 use super::equations::{Constraints, Dynamics};
 use super::integrator::least;
 use super::partition::{ABOUT_AS_GOOD, Partition, Pivots, WORSE};
-use super::places::{is_finite, largest, picked, put};
+use super::places::{is_finite, largest, moved, picked, put};
 use super::stopped::Stopped;
 use crate::number::Scalar;
 use crate::state::State;
@@ -18,20 +18,32 @@ const CORRECTIONS: usize = 50;
 /// Most halvings of a correction.
 const HALVINGS: usize = 12;
 
-/// Moves dependent coordinates of a state until `equations` hold, and sets their speeds; independent ones keep their values. Returns J
-/// there, with an order of its elimination.
+/// Moves dependent coordinates of a state until its equations hold at `t`, and sets their speeds; independent ones keep their values.
+/// Returns J there, with an order of its elimination.
 ///
 /// * `known`: given, pivots at a state close by.
-/// * `levels`: given, for each row whether it counts between positions, and whether between speeds.
 ///
 /// # Errors
 /// The number of the row at fault, and its residual.
-pub(super) fn project<T, S, const N: usize, const I: usize, const M: usize, const R: usize, const K: usize>(
+pub(super) fn project<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    known: Option<&Pivots<T, M, I>>,
+    state: (&mut SVector<T, N>, &mut SVector<T, N>),
+    t: T,
+) -> Result<(SMatrix<T, M, I>, Pivots<T, M, I>), Open<T>>
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    project_onto(mechanism, known, state, |q| mechanism.constraints(q, t))
+}
+
+/// The same for given equations.
+fn project_onto<T, S, const N: usize, const I: usize, const M: usize, const R: usize, const K: usize>(
     mechanism: &S,
     known: Option<&Pivots<T, K, I>>,
     state: (&mut SVector<T, N>, &mut SVector<T, N>),
     equations: impl Fn(&SVector<T, N>) -> Constraints<T, K, I>,
-    levels: impl Fn(usize) -> [bool; 2],
 ) -> Result<(SMatrix<T, K, I>, Pivots<T, K, I>), Open<T>>
 where
     T: Scalar,
@@ -39,26 +51,27 @@ where
 {
     let (q, qd) = state;
     let (lengths, redundant) = (lengths(mechanism), redundant(mechanism));
-    let is_of_positions = |row: usize| levels(row)[0];
+    let [of_positions, of_speeds] = levels(&S::LEVELS);
     // Where the same rows count between positions and between speeds, the same pivots are good.
-    let are_same = (0..K).all(|row| levels(row) == [true, true]);
+    let are_same = of_positions == [true; K] && of_speeds == [true; K];
     let mut kept = known.filter(|_| are_same && S::REDUNDANT == 0).copied();
     let fraction = T::of(if S::REDUNDANT == 0 { ABOUT_AS_GOOD } else { WORSE });
     let mut here = equations(q);
-    let mut open = gap(&here, is_of_positions);
+    let mut open = gap(&here, &of_positions);
     for _ in 0..CORRECTIONS {
         let side = here.phi.map(|phi| -phi);
         let again = kept.as_ref().and_then(|pivots| Partition::along(&here.jacobian, &side, pivots, fraction));
         let parts = match again {
             Some(parts) => parts,
-            None => Partition::new(&here.jacobian, &side, &lengths, is_of_positions, &redundant).map_err(Open::Dependent)?,
+            None => Partition::new(&here.jacobian, &side, &lengths, &of_positions, &redundant).map_err(Open::Dependent)?,
         };
-        let counts = |row: usize| is_of_positions(row) && (S::REDUNDANT == 0 || parts.pivots.have(row));
+        let mut counts = of_positions;
         if S::REDUNDANT > 0 {
+            counts = parts.pivots.among(&of_positions);
             // Those that do not fit would not settle if others were chosen at each correction.
-            (kept, open) = (Some(parts.pivots), gap(&here, counts));
+            (kept, open) = (Some(parts.pivots), gap(&here, &counts));
         }
-        let correction = parts.unknowns(|_| T::ZERO);
+        let correction = parts.unknowns(&[T::ZERO; I]);
         let size = largest(&correction, &lengths);
         if !correction.iter().all(|correction| correction.is_finite()) {
             break;
@@ -68,9 +81,9 @@ where
         let mut factor = T::of(1.0);
         let start = picked(q, &S::INTEGRATED);
         for halving in 0..=HALVINGS {
-            put(q, &S::INTEGRATED, &core::array::from_fn(|k| start[k] + factor * correction[k]));
+            put(q, &S::INTEGRATED, &moved(&start, factor, &correction));
             here = equations(q);
-            let left = gap(&here, counts);
+            let left = gap(&here, &counts);
             if left.1 < open.1 || is_last || halving == HALVINGS {
                 open = left;
                 break;
@@ -81,11 +94,10 @@ where
             let along = if are_same { Partition::along(&here.jacobian, &here.nu, &parts.pivots, T::of(WORSE)) } else { None };
             let speeds = match along {
                 Some(speeds) => speeds,
-                None => Partition::new(&here.jacobian, &here.nu, &lengths, |row| levels(row)[1], &redundant).map_err(Open::Dependent)?,
+                None => Partition::new(&here.jacobian, &here.nu, &lengths, &of_speeds, &redundant).map_err(Open::Dependent)?,
             };
             let before = picked(qd, &S::INTEGRATED);
-            let found = speeds.unknowns(|place| before.get(speeds.independent_at(place)).copied().unwrap_or(T::ZERO));
-            put(qd, &S::INTEGRATED, &found);
+            put(qd, &S::INTEGRATED, &speeds.unknowns(&speeds.independent_of(&before)));
             return Ok((here.jacobian, speeds.pivots));
         }
     }
@@ -110,9 +122,9 @@ impl<T> Open<T> {
 }
 
 /// The row that is open furthest, and its residual; the first one whose residual is not a number.
-fn gap<T: Scalar, const K: usize, const I: usize>(here: &Constraints<T, K, I>, counts: impl Fn(usize) -> bool) -> (usize, T) {
+fn gap<T: Scalar, const K: usize, const I: usize>(here: &Constraints<T, K, I>, counts: &[bool; K]) -> (usize, T) {
     let mut gap = (0, T::ZERO);
-    for (row, phi) in here.phi.iter().enumerate().filter(|(row, _)| counts(*row)) {
+    for (row, (phi, _)) in here.phi.iter().zip(counts).enumerate().filter(|(_, (_, counts))| **counts) {
         let size = phi.abs();
         if !size.is_finite() {
             return (row, size);
@@ -122,13 +134,13 @@ fn gap<T: Scalar, const K: usize, const I: usize>(here: &Constraints<T, K, I>, c
     gap
 }
 
-/// Whether an equation counts between positions, and whether between speeds.
-pub(super) fn levels<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(row: usize) -> [bool; 2]
-where
-    T: Scalar,
-    S: Dynamics<T, N, I, M, R>,
-{
-    S::LEVELS.get(row).copied().unwrap_or([false; 2])
+/// For each of the first equations whether it counts between positions, and for each whether it counts between speeds.
+fn levels<const R: usize, const K: usize>(levels: &[[bool; 2]; R]) -> [[bool; K]; 2] {
+    let (mut of_positions, mut of_speeds) = ([false; K], [false; K]);
+    for ((of_positions, of_speeds), levels) in of_positions.iter_mut().zip(&mut of_speeds).zip(levels) {
+        [*of_positions, *of_speeds] = *levels;
+    }
+    [of_positions, of_speeds]
 }
 
 /// A step on the way to the initial values is short enough if no coordinate moves farther, in rad or lengths.
@@ -149,18 +161,20 @@ where
 {
     let lengths = lengths(mechanism);
     let (declared, open) = (*q, mechanism.initial(q, T::ZERO).phi);
+    // The equations of which a part of the way has been gone.
+    let at = |part: T| {
+        move |q: &SVector<T, N>| {
+            let here = mechanism.initial(q, T::ZERO);
+            Constraints { phi: SVector::from(moved(&here.phi.data.0[0], part - T::of(1.0), &open.data.0[0])), ..here }
+        }
+    };
     let (mut done, mut part) = (T::ZERO, T::of(1.0));
     while done < T::of(1.0) && part >= T::of(SHORTEST) {
         let next = least(done + part, T::of(1.0));
-        let left = |q: &SVector<T, N>| {
-            let here = mechanism.initial(q, T::ZERO);
-            Constraints { phi: SVector::from_fn(|row, _| here.phi[row] - (T::of(1.0) - next) * open[row]), ..here }
-        };
         let (mut place, mut speeds) = (*q, *qd);
-        let found = project(mechanism, None, (&mut place, &mut speeds), left, levels::<T, S, N, I, M, R>);
+        let found = project_onto(mechanism, None, (&mut place, &mut speeds), at(next));
         let [before, after] = [&*q, &place].map(|place| picked(place, &S::INTEGRATED));
-        let moved: [T; I] = core::array::from_fn(|k| after[k] - before[k]);
-        if found.is_ok() && largest(&moved, &lengths) <= T::of(FAR) {
+        if found.is_ok() && largest(&moved(&after, T::of(-1.0), &before), &lengths) <= T::of(FAR) {
             (*q, *qd, done, part) = (place, speeds, next, part * T::of(2.0));
         } else {
             part = part * T::of(0.5);
@@ -170,7 +184,7 @@ where
         return Ok(());
     }
     *q = declared;
-    project(mechanism, None, (q, qd), |q| mechanism.initial(q, T::ZERO), levels::<T, S, N, I, M, R>).map(|_| ())
+    project_onto(mechanism, None, (q, qd), at(T::of(1.0))).map(|_| ())
 }
 
 /// The state at t = 0, at the initial values of the freedoms.

@@ -44,7 +44,7 @@ where
     }
     let none = SVector::from_element(T::ZERO);
     let [before, after] = [(&start, from), (jacobian, to)].map(|(rows, state)| by_turns::<T, S, N, I, M, R>(rows, &state.q));
-    let again = Partition::new(&after, &none, &lengths, |_| true, &redundant(mechanism));
+    let again = Partition::new(&after, &none, &lengths, &[true; M], &redundant(mechanism));
     if again.is_ok_and(|parts| !has_other_signs(&before, &after, &parts.pivots)) {
         return Ok(());
     }

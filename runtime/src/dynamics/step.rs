@@ -9,7 +9,7 @@ use super::explicit::Explicit;
 use super::method::{Method, Trial};
 use super::partition::Pivots;
 use super::places::{is_finite, largest, picked};
-use super::project::{levels, project, refresh};
+use super::project::{project, refresh};
 use super::rank::keeps_rank;
 use super::stopped::Stopped;
 use crate::number::Scalar;
@@ -54,8 +54,7 @@ where
         return Err(Stopped::NotFinite { time: t });
     }
     let known = before.map(|(_, pivots)| pivots);
-    let reached = project(mechanism, known, (&mut q, &mut qd), |q| mechanism.constraints(q, t), levels::<T, S, N, I, M, R>)
-        .map_err(|open| singular::<T, S, N, I, M, R>(t, open.row()))?;
+    let reached = project(mechanism, known, (&mut q, &mut qd), t).map_err(|open| singular::<T, S, N, I, M, R>(t, open.row()))?;
     holds::<T, S, N, I, M, R>(mechanism, &q, t)?;
     let mut next = State::new(t, q, qd, state.qdd);
     refresh(mechanism, &mut next)?;

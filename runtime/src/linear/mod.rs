@@ -23,6 +23,7 @@ mod small;
 mod solve;
 mod sparse;
 mod turning;
+mod vectors;
 
 use nalgebra::{SMatrix, SVector};
 
@@ -37,6 +38,7 @@ pub use selection::solution_by_selection;
 pub use small::Small;
 pub use sparse::{Entries, Sparse};
 pub use turning::{AtIterate, Turning};
+pub(crate) use vectors::{difference, divided, moved, product, scaled};
 
 /// A [`SimdReal`] with a factorisation of matrices.
 pub trait FactorReal: SimdReal {

@@ -9,7 +9,7 @@ use super::limits::LONGEST_STEP;
 use super::newton_step::{History, NewtonStep};
 use super::position::{NewtonError, Position, accept};
 use super::{Iterate, Problem};
-use crate::linear::Linear;
+use crate::linear::{Linear, difference, moved, scaled};
 use crate::number::Float;
 use crate::number::order::smaller;
 
@@ -41,7 +41,7 @@ pub(crate) fn damped<T: Float, P: Problem<T, N>, const N: usize>(
             return Err(NewtonError::Stuck(step.iterate));
         };
         let next = NewtonStep::at(problem, step.moved(lambda, problem))?;
-        let change = scale.norm(&SVector::from_fn(|i, _| simplified[i] - next.correction[i]));
+        let change = scale.norm(&difference(&simplified, &next.correction));
         predicted = at_most_one(step.length * scale.norm(&simplified) * lambda / (change * next.length));
         history = history.after(step.length, lambda == one);
         step = next;
@@ -68,11 +68,11 @@ fn monotone_step<T: Float, P: Problem<T, N>, const N: usize>(
     let mut lambda = first;
     while lambda >= T::of(SMALLEST_FACTOR) {
         let (phi, _) = problem.linearize(&step.moved(lambda, problem));
-        let simplified = step.factors.solve(&phi.map(|residual| -residual));
+        let simplified = step.factors.solve(&scaled(&phi, T::of(-1.0)));
         if scale.norm(&simplified) < step.length {
             return Some(DampedStep { lambda, simplified });
         }
-        let remainder = scale.norm(&SVector::from_fn(|i, _| simplified[i] - (one - lambda) * step.correction[i]));
+        let remainder = scale.norm(&moved(&simplified, lambda - one, &step.correction));
         lambda = smaller(half * lambda, half * step.length * lambda * lambda / remainder);
     }
     None

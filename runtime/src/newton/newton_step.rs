@@ -1,9 +1,9 @@
 //! One Newton step: Φ and Φ_q at q, the factors of Φ_q, and the correction δ.
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
 use super::{Iterate, Problem};
-use crate::linear::Linear;
+use crate::linear::{Linear, scaled};
 use crate::names::Culprit;
 use crate::number::Float;
 
@@ -48,7 +48,7 @@ impl<T: Float, L: Linear<T, N>, const N: usize> NewtonStep<T, L, N> {
         let (phi, jacobian) = problem.linearize(&iterate);
         let factors = L::factor(&jacobian).map_err(|row| Culprit::Row(problem.row(row)))?;
         let sizes = sizes::<T, P, N>(problem, &jacobian);
-        let correction = factors.solve(&phi.map(|residual| -residual));
+        let correction = factors.solve(&scaled(&phi, T::of(-1.0)));
         let length = problem.scale().norm(&correction);
         // Any entry of Φ or δ that is not finite makes the length not finite.
         if length.is_finite() {
@@ -95,11 +95,16 @@ pub(crate) fn sizes<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
     jacobian: &<P::Factors as Linear<T, N>>::Matrix,
 ) -> SVector<T, N> {
-    let (sizes, zero) = (problem.sizes(), T::of(0.0));
-    if sizes.iter().all(|&size| size > zero) {
+    let sizes = problem.sizes();
+    if sizes.iter().all(|&size| size > T::of(0.0)) {
         return sizes;
     }
-    let (rows, column) = (P::Factors::dense(jacobian), &problem.scale().column);
+    known_or_of_rows(&sizes, &P::Factors::dense(jacobian), &problem.scale().column)
+}
+
+/// The sizes that are known, and of the other rows the sums of their entries in comparable units.
+fn known_or_of_rows<T: Float, const N: usize>(sizes: &SVector<T, N>, rows: &SMatrix<T, N, N>, column: &SVector<T, N>) -> SVector<T, N> {
+    let zero = T::of(0.0);
     let of_row = |i: usize| (0..N).fold(zero, |sum, j| sum + rows[(i, j)].abs() * column[j]);
     SVector::from_fn(|i, _| if sizes[i] > zero { sizes[i] } else { of_row(i) })
 }

@@ -5,7 +5,7 @@ use nalgebra::{SMatrix, SVector};
 use super::limits::WELL_CONDITIONED;
 use super::newton_step::NewtonStep;
 use super::{Iterate, Problem};
-use crate::linear::Linear;
+use crate::linear::{Linear, difference, divided, moved, product, scaled};
 use crate::names::{CoordinateKind, Culprit};
 use crate::number::Float;
 use crate::number::order::{greater, smaller};
@@ -92,21 +92,14 @@ fn is_isolated<T: Float, P: Problem<T, N>, const N: usize>(
     let (phi, jacobian) = problem.linearize(iterate);
     let here = P::Factors::dense(&jacobian);
     // A solution with a nearly singular matrix points along its approximate null vector.
-    let mut share = T::of(0.382);
-    let along = factors.solve(&SVector::from_fn(|k, _| {
-        let row = (0..N).fold(T::of(0.0), |sum, column| greater(sum, here[(k, column)].abs() * scale.column[column]));
-        share = share + T::of(0.618);
-        row * share
-    }));
-    let size = scale.norm(&along);
-    let along = along.map(|entry| entry / size);
+    let along = factors.solve(&uneven(&here, &scale.column));
+    let along = divided(&along, scale.norm(&along));
     let step = T::of(1.0) / condition;
     let curvature = [step, -step].into_iter().fold(T::of(0.0), |largest, step| {
         let (_, jacobian) = problem.linearize(&iterate.moved(step, &along, problem.needs_sin_cos()));
         let there = P::Factors::dense(&jacobian);
         let (there, here) = (product(&there, &along), product(&here, &along));
-        let change = SVector::from_fn(|row, _| there[row] - here[row]);
-        greater(largest, scale.norm(&factors.solve(&change)) / step.abs())
+        greater(largest, scale.norm(&factors.solve(&difference(&there, &here))) / step.abs())
     });
     // Up to ∛ε the third-order terms of Φ are below rounding. Close to q, sums of nearly constant terms all round the same way, so
     // that only samples further away reveal the rounding error.
@@ -117,28 +110,26 @@ fn is_isolated<T: Float, P: Problem<T, N>, const N: usize>(
     let [a, b, c, d] = PLACES;
     for multiple in [T::of(a), T::of(-a), T::of(b), T::of(-b), T::of(c), T::of(-c), T::of(d), T::of(-d)] {
         for reach in reaches {
-            let way = along.map(|entry| multiple * reach * entry);
-            let there = iterate.moved(T::of(1.0), &way, problem.needs_sin_cos());
-            let way = SVector::from_fn(|k, _| there.x[k] - iterate.x[k]);
+            let there = iterate.moved(T::of(1.0), &scaled(&along, multiple * reach), problem.needs_sin_cos());
+            let way = difference(&there.x, &iterate.x);
             let (beside, jacobian) = problem.linearize(&there);
             let slope = P::Factors::dense(&jacobian);
             let (there, here) = (product(&slope, &way), product(&here, &way));
-            let rest = SVector::from_fn(|row, _| (beside[row] - phi[row]) - T::of(0.5) * (there[row] + here[row]));
+            let rest = moved(&difference(&beside, &phi), T::of(-0.5), &moved(&there, T::of(1.0), &here));
             error = greater(error, T::of(BEYOND_PLACES) * scale.norm(&factors.solve(&rest)));
         }
     }
     condition * T::EPSILON < T::of(1.0) && curvature * error <= T::of(LARGEST_CHANGE)
 }
 
-/// A v, without an index that could be out of bounds.
-fn product<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, vector: &SVector<T, N>) -> SVector<T, N> {
-    let mut product = SVector::<T, N>::from_element(T::of(0.0));
-    for (column, &factor) in matrix.data.0.iter().zip(vector.iter()) {
-        for (sum, &entry) in product.iter_mut().zip(column) {
-            *sum = *sum + entry * factor;
-        }
-    }
-    product
+/// The largest entry of each row in comparable units, times shares of which no two are alike.
+fn uneven<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, column: &SVector<T, N>) -> SVector<T, N> {
+    let mut share = T::of(0.382);
+    SVector::from_fn(|k, _| {
+        let row = (0..N).fold(T::of(0.0), |sum, j| greater(sum, matrix[(k, j)].abs() * column[j]));
+        share = share + T::of(0.618);
+        row * share
+    })
 }
 
 /// ∛ε

@@ -128,14 +128,14 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
         let is_near = self.moving.and(way.at_most(T::of(LONGEST_PREDICTION)));
         let mut follows = is_near;
         let mut iterate = if self.is_small {
-            Iterate::after(SVector::from_fn(|k, _| of(self.here.q, data.unknowns[k])), x, data.needs_sin_cos)
+            Iterate::after(picked(self.here.q, data.unknowns), x, data.needs_sin_cos)
         } else {
             Iterate::at(x, data.needs_sin_cos)
         };
         let mut longest = T::of(LONGEST_FIRST_CORRECTION);
         let mut iterations = 0;
         let mut is_tested = !L::HAS_UNTESTED_CORRECTION;
-        let again = || (true, 0, Iterate::at(x, data.needs_sin_cos), is_near, T::of(LONGEST_FIRST_CORRECTION));
+        let again = || (true, 0, predicted(x, *data.needs_sin_cos), is_near, T::of(LONGEST_FIRST_CORRECTION));
         loop {
             iterations += 2;
             let (phi, jacobian) = evaluate(&iterate);
@@ -209,6 +209,19 @@ fn is_found<T: SimdReal>(length: T, next: T, condition: T, effect: T) -> T::Mask
 #[inline(always)]
 fn of<T: SimdReal, const N: usize>(vector: &SVector<T, N>, unknown: usize) -> T {
     vector.data.0[0].get(unknown).copied().unwrap_or(T::of(f64::NAN))
+}
+
+/// The entries of the unknowns.
+#[inline(always)]
+fn picked<T: SimdReal, const N: usize, const K: usize>(vector: &SVector<T, N>, unknowns: &[usize; K]) -> SVector<T, K> {
+    SVector::from_fn(|k, _| of(vector, unknowns[k]))
+}
+
+/// Begins again at the prediction.
+#[cold]
+#[inline(never)]
+fn predicted<T: SimdReal, const K: usize>(x: SVector<T, K>, needs_sin_cos: [bool; K]) -> Iterate<T, K> {
+    Iterate::at(x, &needs_sin_cos)
 }
 
 /// Applies a correction that is not the last.

@@ -12,6 +12,7 @@ use nalgebra::SVector;
 
 use super::branch::{LARGEST_LAPSE, jump};
 use super::cold::{CheckedState, cold_state, inspect, valid_state};
+use crate::linear::{difference, divided, moved};
 use crate::names::{self, BranchEnd, Cause, CoordinateKind, Culprit};
 use crate::newton::{Scale, StepError};
 use crate::number::Float;
@@ -114,7 +115,7 @@ fn follow<T: Float, E: Stages<T, N>, const N: usize>(
         match stride(between.as_ref().unwrap_or(equations), &here, &slope, by) {
             // Redundant joints need not fit between the defaults and the parameters.
             Ok((state, _)) if next < one => {
-                slope = SVector::from_fn(|i, _| (state.q[i] - here.q[i]) / by);
+                slope = divided(&difference(&state.q, &here.q), by);
                 (here, reached, step) = (state, next, step + step);
             }
             Ok(found) => return Ok(found),
@@ -138,7 +139,7 @@ fn stride<T: Float, E: Stages<T, N>, const N: usize>(
     let zero = T::of(0.0);
     let mut slanted = here.clone();
     (slanted.qd, slanted.qdd) = (*slope, SVector::from_element(zero));
-    let predicted = SVector::from_fn(|i, _| here.q[i] + slope[i] * by);
+    let predicted = moved(&here.q, by, slope);
     match cold_state(equations, zero, ColdSolver::from_prediction(equations, &slanted, by)) {
         // No other assembly with the same sign can be this close.
         Ok(found) if is_as_predicted::<T, E, N>(equations, &here.q, &predicted, &found.0, T::of(LARGEST_LAPSE) / found.0.condition) => {

@@ -15,7 +15,8 @@ use nalgebra::SVector;
 
 use super::branch::is_same_branch;
 use super::cold::{cold_state, solve_stages};
-use crate::names::{self, CoordinateKind};
+use crate::linear::difference;
+use crate::names::{self, Coordinate, CoordinateKind};
 use crate::newton::Scale;
 use crate::number::Float;
 use crate::number::order::greater;
@@ -162,7 +163,7 @@ fn beside<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, her
     let lost = T::of(LOST) * T::EPSILON * here.condition;
     let rounded = [lost, lost * here.condition * speed, lost * here.condition * here.condition * speed * speed];
     let apart = [(&there.q, &here.q), (&there.qd, &here.qd), (&there.qdd, &here.qdd)];
-    let apart = apart.map(|(there, here)| scale.norm(&there.zip_map(here, |there, here| there - here)));
+    let apart = apart.map(|(there, here)| scale.norm(&difference(there, here)));
     let is_same = apart.iter().zip(&rounded).all(|(apart, rounded)| apart <= rounded);
     there.values.branch = here.branch;
     is_same.then_some(there)
@@ -213,30 +214,32 @@ fn extrapolated<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     let between = |near: &State<T, N>, far: &State<T, N>, h: T| {
         let near = step(equations, near, crossing - h, false)?;
         let far = step(equations, far, crossing + h, false)?;
-        let there = interpolated::<T, E, N>(&near, &far, t);
+        let there = interpolated(&near, &far, t, E::COORDINATES);
         Some((near, far, there))
     };
     let (near, far, mut there) = between(&near, &far, h)?;
     let Some((near, far, second)) = between(&near, &far, T::of(2.0) * h) else { return Some(there) };
     let shares = [T::of(1.0 / 63.0), T::of(1.0 / 15.0)];
-    there = combined::<T, E, N>(there, &second, shares);
+    there = combined(there, &second, E::COORDINATES, shares);
     if let Some((_, _, third)) = between(&near, &far, T::of(4.0) * h) {
-        there = combined::<T, E, N>(there, &combined::<T, E, N>(second, &third, shares), [T::of(1.0 / 255.0), T::of(1.0 / 63.0)]);
+        let coarse = combined(second, &third, E::COORDINATES, shares);
+        there = combined(there, &coarse, E::COORDINATES, [T::of(1.0 / 255.0), T::of(1.0 / 63.0)]);
     }
     Some(there)
 }
 
 /// x_h + s (x_h − x_2h), with one weight s for q and q̇, and one for q̈ and ω.
-fn combined<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+fn combined<T: Float, const N: usize>(
     mut fine: State<T, N>,
     coarse: &State<T, N>,
+    coordinates: &[Coordinate],
     [share, of_accelerations]: [T; 2],
 ) -> State<T, N> {
     let Values { q, qd, qdd, .. } = &mut fine.values;
     let add = |entry: &mut T, other: T, share: T| *entry = *entry + share * (*entry - other);
     for i in 0..N {
         add(&mut q[i], coarse.q[i], share);
-        add(&mut qd[i], coarse.qd[i], if is_of_orientation::<T, E, N>(i) { of_accelerations } else { share });
+        add(&mut qd[i], coarse.qd[i], if is_of_orientation(coordinates, i) { of_accelerations } else { share });
         add(&mut qdd[i], coarse.qdd[i], of_accelerations);
     }
     fine
@@ -244,8 +247,8 @@ fn combined<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
 
 /// Whether a coordinate is an entry of a rotation matrix: its rates are those of no coordinate, but the first three of the nine are ω and
 /// ω̇.
-fn is_of_orientation<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(i: usize) -> bool {
-    let coordinate = names::coordinate(E::COORDINATES, i);
+fn is_of_orientation(coordinates: &[Coordinate], i: usize) -> bool {
+    let coordinate = names::coordinate(coordinates, i);
     coordinate.kind == CoordinateKind::Number && coordinate.name.starts_with('a')
 }
 
@@ -253,7 +256,7 @@ fn is_of_orientation<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(i: usiz
 /// ω follows a polynomial of third degree through ω and ω̇.
 ///
 /// Its accelerations have lost twice as many digits as those of the states.
-fn interpolated<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(near: &State<T, N>, far: &State<T, N>, t: T) -> State<T, N> {
+fn interpolated<T: Float, const N: usize>(near: &State<T, N>, far: &State<T, N>, t: T, coordinates: &[Coordinate]) -> State<T, N> {
     let h = far.t - near.t;
     let s = (t - near.t) / h;
     let of = T::of;
@@ -263,7 +266,7 @@ fn interpolated<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(near: &State
         let value = ((far.q[i] - near.q[i]) - first) - of(0.5) * second;
         let rate = h * (far.qd[i] - near.qd[i]) - second;
         let acceleration = h * h * (far.qdd[i] - near.qdd[i]);
-        if is_of_orientation::<T, E, N>(i) {
+        if is_of_orientation(coordinates, i) {
             // The integral of ω, without its value.
             return (first, second, [rate - acceleration / of(3.0), of(0.25) * acceleration - of(0.5) * rate, of(0.0)]);
         }

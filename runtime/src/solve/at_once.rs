@@ -23,13 +23,7 @@ impl<T: Float, E: Equations<T, M, N> + ?Sized, const M: usize, const N: usize> P
 
     fn linearize(&self, iterate: &Iterate<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
         let (phi, jacobian) = self.equations.linearize(&iterate.x, self.t);
-        // A row that does not exist is zero, and the matrix is singular.
-        let is_row = |i: usize| self.rows[i] < M;
-        let zero = T::of(0.0);
-        (
-            SVector::from_fn(|i, _| if is_row(i) { phi[self.rows[i]] } else { zero }),
-            SMatrix::from_fn(|i, j| if is_row(i) { jacobian[(self.rows[i], j)] } else { zero }),
-        )
+        chosen(&phi, &jacobian, self.rows)
     }
 
     fn needs_sin_cos(&self) -> &[bool; N] {
@@ -51,6 +45,19 @@ impl<T: Float, E: Equations<T, M, N> + ?Sized, const M: usize, const N: usize> P
     fn coordinate(&self, index: usize) -> Coordinate {
         names::coordinate(E::COORDINATES, index)
     }
+}
+
+/// Some rows of Φ and Φ_q. A row that does not exist is zero, and the matrix is singular.
+fn chosen<T: Float, const M: usize, const N: usize>(
+    phi: &SVector<T, M>,
+    jacobian: &SMatrix<T, M, N>,
+    rows: &[usize; N],
+) -> (SVector<T, N>, SMatrix<T, N, N>) {
+    let (is_row, zero) = (|i: usize| rows[i] < M, T::of(0.0));
+    (
+        SVector::from_fn(|i, _| if is_row(i) { phi[rows[i]] } else { zero }),
+        SMatrix::from_fn(|i, j| if is_row(i) { jacobian[(rows[i], j)] } else { zero }),
+    )
 }
 
 /// All equations of a mechanism as one system.

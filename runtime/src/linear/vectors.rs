@@ -1,0 +1,36 @@
+//! Sums of vectors, which are compiled once for each length; written where they are needed, once for each mechanism.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::number::Real;
+
+/// x + h y
+pub(crate) fn moved<T: Real, const N: usize>(x: &SVector<T, N>, h: T, y: &SVector<T, N>) -> SVector<T, N> {
+    SVector::from_fn(|k, _| x[k] + h * y[k])
+}
+
+/// x − y
+pub(crate) fn difference<T: Real, const N: usize>(x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N> {
+    SVector::from_fn(|k, _| x[k] - y[k])
+}
+
+/// s x
+pub(crate) fn scaled<T: Real, const N: usize>(x: &SVector<T, N>, s: T) -> SVector<T, N> {
+    x.map(|entry| s * entry)
+}
+
+/// x / s
+pub(crate) fn divided<T: Real, const N: usize>(x: &SVector<T, N>, s: T) -> SVector<T, N> {
+    x.map(|entry| entry / s)
+}
+
+/// A x, without an index that could be out of bounds.
+pub(crate) fn product<T: Real, const N: usize>(matrix: &SMatrix<T, N, N>, x: &SVector<T, N>) -> SVector<T, N> {
+    let mut product = SVector::<T, N>::from_element(T::of(0.0));
+    for (column, &factor) in matrix.data.0.iter().zip(x.iter()) {
+        for (sum, &entry) in product.iter_mut().zip(column) {
+            *sum = *sum + entry * factor;
+        }
+    }
+    product
+}
