@@ -40,8 +40,3 @@ pub fn __library_pages(_: TokenStream) -> TokenStream {
 pub fn __error_pages(_: TokenStream) -> TokenStream {
     reuleaux_compiler::error_pages().into()
 }
-
-/// The Rust blocks of the README are compiled and run with those of the pages above.
-#[cfg(doctest)]
-#[doc = include_str!("../../README.md")]
-struct Readme;

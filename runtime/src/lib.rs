@@ -309,3 +309,14 @@ pub mod accuracy {}
 pub mod errors {
     reuleaux_macros::__error_pages!();
 }
+
+/// The Rust blocks of the README and of the reference of the language are compiled and run with those of the guide.
+#[cfg(all(doctest, feature = "picture", feature = "serde"))]
+mod pages {
+    #[doc = include_str!("../../README.md")]
+    struct Readme;
+    #[doc = include_str!("../../macros/src/reference/mechanism.md")]
+    struct Mechanism;
+    #[doc = include_str!("../../macros/src/reference/constraint.md")]
+    struct Constraint;
+}

@@ -20,4 +20,5 @@ mod stress;
 mod sweeps;
 mod times;
 mod turns;
+mod twofold;
 mod unit_constraints;
