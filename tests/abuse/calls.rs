@@ -2,6 +2,7 @@
 
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
+use std::iter::Sum;
 
 use reuleaux::nalgebra::SVector;
 use reuleaux::{Enclosure, Equations, Failure, Family, Float, Mechanism, Stages, State};
@@ -29,6 +30,16 @@ pub(crate) struct Count {
     pub refused: usize,
     /// Calls with their outcomes.
     pub outcomes: BTreeSet<String>,
+}
+
+impl Sum for Count {
+    fn sum<I: Iterator<Item = Self>>(counts: I) -> Self {
+        counts.fold(Self::default(), |mut sum, count| {
+            (sum.found, sum.refused) = (sum.found + count.found, sum.refused + count.refused);
+            sum.outcomes.extend(count.outcomes);
+            sum
+        })
+    }
 }
 
 impl Count {

@@ -102,25 +102,35 @@ fn random(seed: u64) -> Vec<u8> {
     (0..random.usize(8..200)).map(|_| random.u8(..)).collect()
 }
 
-/// Runs all cases on a thread with a small stack.
-fn all(cases: Vec<(String, Vec<u8>)>, largest: f64) -> Count {
-    let worker = std::thread::Builder::new().stack_size(STACK).spawn(move || {
-        let mut count = Count::default();
-        let mut wrong = Vec::new();
-        for (name, bytes) in cases {
-            if let Err(why) = case(&bytes, largest, &mut count) {
-                wrong.push(format!("{name}: {why}"));
-            }
+/// Runs all cases, on a thread with a small stack for each processor.
+fn all(cases: &[(String, Vec<u8>)], largest: f64) -> Count {
+    let share = cases.len().div_ceil(std::thread::available_parallelism().map_or(1, usize::from)).max(1);
+    std::thread::scope(|scope| {
+        let start = |share| {
+            let worker = std::thread::Builder::new().stack_size(STACK);
+            worker.spawn_scoped(scope, move || run(share, largest)).expect("a thread can be started")
+        };
+        let workers: Vec<_> = cases.chunks(share).map(start).collect();
+        workers.into_iter().map(|worker| worker.join().expect("no case panics, and none is wrong")).sum()
+    })
+}
+
+/// Runs cases one after the other.
+fn run(cases: &[(String, Vec<u8>)], largest: f64) -> Count {
+    let mut count = Count::default();
+    let mut wrong = Vec::new();
+    for (name, bytes) in cases {
+        if let Err(why) = case(bytes, largest, &mut count) {
+            wrong.push(format!("{name}: {why}"));
         }
-        assert!(wrong.is_empty(), "{} cases: {wrong:#?}", wrong.len());
-        count
-    });
-    worker.expect("a thread can be started").join().expect("no case panics, and none is wrong")
+    }
+    assert!(wrong.is_empty(), "{} cases: {wrong:#?}", wrong.len());
+    count
 }
 
 #[test]
 fn kept_cases_return_states_or_errors() {
-    let count = all(kept(), f64::MAX);
+    let count = all(&kept(), f64::MAX);
     assert!(count.outcomes.len() > 20, "{count:?}");
 }
 
@@ -134,7 +144,7 @@ fn whatever_is_called_returns_a_state_or_an_error() {
     if std::env::var_os("REULEAUX_FUZZ_KEEP").is_some() {
         keep(&random);
     }
-    let count = all(random, largest);
+    let count = all(&random, largest);
     println!("{cases} cases from seed {first}: {count:?}");
     assert!(count.found >= count.refused || cases < 100, "{count:?}");
 }
