@@ -107,12 +107,12 @@ where
     Redundant { count: S::REDUNDANT, sizes: powers(&S::POWERS, length) }
 }
 
-/// A length where it is one, 1 elsewhere.
+/// `length` for coordinates in m, 1 for the others.
 fn where_lengths<T: Scalar, const I: usize>(is_length: &[bool; I], length: T) -> [T; I] {
     is_length.map(|is_length| if is_length { length } else { T::of(1.0) })
 }
 
-/// Powers of a length, those of the first rows.
+/// For each of the first rows its power of `length`.
 fn powers<T: Scalar, const R: usize, const K: usize>(powers: &[u8; R], length: T) -> [T; K] {
     let power = |row: usize| powers.get(row).copied().unwrap_or(0);
     core::array::from_fn(|row| (0..power(row)).fold(T::of(1.0), |size, _| size * length))

@@ -56,7 +56,7 @@ pub(super) struct Pivots<T, const M: usize, const I: usize> {
 }
 
 impl<T, const M: usize, const I: usize> Pivots<T, M, I> {
-    /// Those rows that have a pivot.
+    /// Those of the rows that have a pivot.
     pub(super) fn among(&self, rows: &[bool; M]) -> [bool; M] {
         core::array::from_fn(|row| rows[row] && self.rows.iter().take(self.count).any(|own| *own == row))
     }

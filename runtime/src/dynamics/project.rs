@@ -161,7 +161,7 @@ where
 {
     let lengths = lengths(mechanism);
     let (declared, open) = (*q, mechanism.initial(q, T::ZERO).phi);
-    // The equations of which a part of the way has been gone.
+    // The equations after a part of the way: the rest of the residuals at the declared start is left open.
     let at = |part: T| {
         move |q: &SVector<T, N>| {
             let here = mechanism.initial(q, T::ZERO);

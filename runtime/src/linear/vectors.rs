@@ -1,4 +1,4 @@
-//! Sums of vectors, which are compiled once for each length; written where they are needed, once for each mechanism.
+//! Sums of vectors. They are compiled once for each length; closures in functions of a mechanism would be compiled once for each mechanism.
 
 use nalgebra::{SMatrix, SVector};
 
