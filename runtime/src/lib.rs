@@ -163,7 +163,7 @@ pub use nalgebra;
 pub use names::{
     BranchEnd, Cause, Coordinate, CoordinateKind, Culprit, Description, Operations, ParameterOutOfRange, Plan, PlanStage, Row,
 };
-pub use newton::{Block, Iterate, Solved, StepError};
+pub use newton::{Block, Iterate, Solved, SolvedInPlace, StepError};
 pub use number::{DetSign, Ends, Float, Mask, Real, Scalar, SimdReal, Single, Table, Time, Times};
 #[doc(hidden)]
 pub use path::step_in_part;

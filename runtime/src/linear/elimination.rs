@@ -124,14 +124,13 @@ struct Places<const K: usize, const ENTRIES: usize> {
 impl<const K: usize, const ENTRIES: usize> Places<K, ENTRIES> {
     /// Evaluated at compile time; an incomplete order is a compile error.
     const fn of<const FACTORS: usize>(order: &Order<K, ENTRIES, FACTORS>) -> Self {
-        let mut places = Self { entries: [0; ENTRIES], rows: [0; K], pivots: [0; K], ends: [FACTORS; K] };
+        let mut places = Self { entries: [0; ENTRIES], rows: [0; K], pivots: order.pivots(), ends: [FACTORS; K] };
         let (mut row_of, mut column_of) = ([0; K], [0; K]);
         let mut i = 0;
         while i < K {
             row_of[order.rows[i]] = i;
             column_of[order.columns[i]] = i;
             places.rows[i] = order.find(i, 0, true);
-            places.pivots[i] = order.find(i, i, false);
             if i > 0 {
                 places.ends[i - 1] = places.rows[i];
             }
@@ -155,6 +154,17 @@ impl<const K: usize, const ENTRIES: usize, const FACTORS: usize> Order<K, ENTRIE
             place += 1;
         }
         place
+    }
+
+    /// Index of each pivot among the factors.
+    pub(super) const fn pivots(&self) -> [usize; K] {
+        let mut pivots = [0; K];
+        let mut i = 0;
+        while i < K {
+            pivots[i] = self.find(i, i, false);
+            i += 1;
+        }
+        pivots
     }
 
     /// Whether the exchanges of rows and columns change the sign of the determinant.

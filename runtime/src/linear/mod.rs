@@ -74,6 +74,15 @@ pub trait Linear<T: SimdReal, const N: usize>: Sized {
     /// The index of a row with an entry that is not finite, unless every solution then is not finite.
     fn factor(matrix: &Self::Matrix) -> Result<Self, usize>;
 
+    /// The same where the factors are to lie: a result of many numbers would be copied each time it is handed on.
+    ///
+    /// # Errors
+    /// As [`factor`](Self::factor).
+    #[inline(always)]
+    fn factor_at<'a>(place: &'a mut Option<Self>, matrix: &Self::Matrix) -> Result<&'a Self, usize> {
+        Ok(place.insert(Self::factor(matrix)?))
+    }
+
     /// Whether [`correction`](Self::correction) tests less than [`factor`](Self::factor).
     const HAS_UNTESTED_CORRECTION: bool = false;
 

@@ -103,6 +103,12 @@ where
         Ok(Self { factors: L::factor(&of.matrix)?, x: of.x, elimination: PhantomData })
     }
 
+    #[inline]
+    fn factor_at<'a>(place: &'a mut Option<Self>, of: &Self::Matrix) -> Result<&'a Self, usize> {
+        let factors = L::factor(&of.matrix)?;
+        Ok(place.insert(Self { factors, x: of.x, elimination: PhantomData }))
+    }
+
     const HAS_UNTESTED_CORRECTION: bool = L::HAS_UNTESTED_CORRECTION;
 
     #[inline]

@@ -20,6 +20,6 @@ pub(crate) use position::{NewtonError, Position};
 pub use problem::Block;
 pub(crate) use problem::{Evaluate, Linearized, Part, Problem};
 pub(crate) use scale::{Scale, length_of};
-pub use solved::{Solved, StepError};
+pub use solved::{Solved, SolvedInPlace, StepError};
 pub(crate) use track::{TrackError, track};
 pub(crate) use warm::{BlockData, Predictor};

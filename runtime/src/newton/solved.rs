@@ -34,6 +34,23 @@ impl<T: SimdReal, L: Linear<T, K>, const K: usize> Solved<T, L, K> {
     }
 }
 
+/// A solved block whose factors lie with the caller.
+pub struct SolvedInPlace<'a, T, L, const K: usize> {
+    /// The unknowns, in m and rad.
+    pub x: [T; K],
+    /// (sine, cosine) of the unknowns that need them.
+    pub sin_cos: [(T, T); K],
+    pub(crate) factors: &'a L,
+}
+
+impl<T: SimdReal, L: Linear<T, K>, const K: usize> SolvedInPlace<'_, T, L, K> {
+    /// x with Φ_q x = `b`, with a step of iterative refinement where that improves it.
+    #[inline(always)]
+    pub fn solve(&self, b: [T; K]) -> [T; K] {
+        self.factors.solve_refined(&SVector::from(b)).data.0[0]
+    }
+}
+
 impl<T: Float> From<StepError<T>> for Cause<T> {
     fn from(error: StepError<T>) -> Self {
         match error {

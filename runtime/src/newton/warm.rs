@@ -64,10 +64,9 @@ pub(crate) struct BlockData<'a, T, const K: usize> {
     pub(crate) sizes: &'a SVector<T, K>,
 }
 
-/// A solution.
-pub(crate) struct BlockSolution<T: SimdReal, L, const K: usize> {
+/// A solution; its factors are where the caller wants them.
+pub(crate) struct BlockSolution<T: SimdReal, const K: usize> {
     pub(crate) iterate: Iterate<T, K>,
-    pub(crate) factors: L,
     pub(crate) condition: T,
     /// Number of factorisations.
     pub(crate) iterations: usize,
@@ -116,13 +115,16 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
     }
 
     /// Solves a block whose sign is stored at index `first`; None if no lane was solved.
+    ///
+    /// * `factors_at`: returned, the factors at the solution.
     #[inline(always)]
     pub(crate) fn solve<L: Linear<T, K>, const K: usize>(
         &self,
         data: &BlockData<'_, T, K>,
         first: usize,
+        factors_at: &mut Option<L>,
         evaluate: impl Fn(&Iterate<T, K>) -> Linearized<T, L, K>,
-    ) -> Option<BlockSolution<T, L, K>> {
+    ) -> Option<BlockSolution<T, K>> {
         let (x, way) = self.predict(data);
         let sign = *self.signs.get(first)?;
         let is_near = self.moving.and(way.at_most(T::of(LONGEST_PREDICTION)));
@@ -138,15 +140,17 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
         let again = || (true, 0, predicted(x, *data.needs_sin_cos), is_near, T::of(LONGEST_FIRST_CORRECTION));
         loop {
             iterations += 2;
-            let (phi, jacobian) = evaluate(&iterate);
+            // Results of `evaluate` are used where they lie, since moving a large matrix would copy it.
+            let here = evaluate(&iterate);
             let (correction, sign_here) =
-                if is_tested { tested::<T, L, K>(&jacobian, &phi)? } else { L::correction(&jacobian, &phi).ok()? };
+                if is_tested { tested::<T, L, K>(&here.1, &here.0)? } else { L::correction(&here.1, &here.0).ok()? };
             // Where two branches cross, the smooth continuation changes the sign. A warm step does not switch to the other branch.
             follows = follows.and(T::same_signs(sign_here, sign));
             let there = iterate.nudged_back(&correction, data.needs_sin_cos);
 
-            let (phi, jacobian) = evaluate(&there);
-            let factors = match L::factor(&jacobian) {
+            let closer = evaluate(&there);
+            let phi = &closer.0;
+            let factors = match L::factor_at(factors_at, &closer.1) {
                 Ok(factors) => factors,
                 Err(_) if is_tested => return None,
                 Err(_) => {
@@ -154,11 +158,11 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
                     continue;
                 }
             };
-            let is_rounding = factors.is_rounding(&phi, data.sizes, T::of(ROUNDINGS));
+            let is_rounding = factors.is_rounding(phi, data.sizes, T::of(ROUNDINGS));
             let next = if is_rounding.all() {
                 T::of(0.0)
             } else {
-                T::pick(is_rounding, T::of(0.0), norm(&factors.solve_regular(&phi), data.reciprocal))
+                T::pick(is_rounding, T::of(0.0), norm(&factors.solve_regular(phi), data.reciprocal))
             };
             let amplification = factors.error_amplification(data.sizes, data.reciprocal);
             let condition = amplification.max(T::of(1.0));
@@ -177,7 +181,7 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
                 continue;
             }
             if is_over {
-                let solution = BlockSolution { iterate: there, factors, condition, iterations, found };
+                let solution = BlockSolution { iterate: there, condition, iterations, found };
                 return (!found.not().all()).then_some(solution);
             }
             // Lanes that are solved keep their iterate, so that the next pass repeats the same result.

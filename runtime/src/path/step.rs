@@ -72,7 +72,9 @@ pub fn step_lanes<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
     let here = state.values.moment();
     let mut solver = Solver::warm(equations, Predictor::new(here, &state.extrapolation, signs, h, moving, E::ITERATED.len()));
     let nowhere = T::Mask::of(false);
-    let Ok(there) = equations.stages(t, &mut solver) else { return nowhere };
+    // Borrowed, since moving it would copy all coordinates.
+    let result = equations.stages(t, &mut solver);
+    let Ok(there) = &result else { return nowhere };
     let Some(StepReport { found, condition, iterations }) = solver.report() else { return nowhere };
     let found = found.and(moving).and(is_resolved::<T, E, N>(here, &there.q, h));
     let accelerations = sum(&there.qdd, E::ITERATED);
@@ -85,7 +87,7 @@ pub fn step_lanes<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
     }
     if !found.not().all() {
         state.extrapolation.follow(h, found, state.values.moment(), there.moment(), E::ITERATED);
-        state.follow_on(t, &Step { h, found, condition, iterations }, &there);
+        state.follow_on(t, &Step { h, found, condition, iterations }, there);
     }
     found
 }

@@ -5,7 +5,7 @@ use nalgebra::{SMatrix, SVector};
 use super::{ColdStart, SolverReal, lengths_of};
 use crate::linear::{AtIterate, Elimination, Entries, FactorReal, Linear, Turning};
 use crate::names::Description;
-use crate::newton::{Block, BlockData, Iterate, Linearized, Predictor, Scale, Solved, StepError};
+use crate::newton::{Block, BlockData, Iterate, Linearized, Predictor, Scale, Solved, SolvedInPlace, StepError};
 use crate::number::{Mask, SimdReal};
 use crate::state::Values;
 
@@ -164,19 +164,22 @@ impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
 
     /// Solves a block with quaternions and a sparse Jacobian: `evaluate` returns the entries of the Jacobian by turns.
     ///
+    /// * `factors`: returned, the factors at the solution.
+    ///
     /// # Errors
     /// Why the block was not solved.
     #[inline]
-    pub fn turning<E: Elimination<T, K, ENTRIES, FACTORS>, const K: usize, const ENTRIES: usize, const FACTORS: usize>(
+    pub fn turning<'f, E: Elimination<T, K, ENTRIES, FACTORS>, const K: usize, const ENTRIES: usize, const FACTORS: usize>(
         &mut self,
         elimination: E,
+        factors: &'f mut Option<ByTurns<T, E, K, ENTRIES, FACTORS>>,
         block: &Block<K>,
         sizes: [T; K],
         evaluate: impl Fn(&Iterate<T, K>) -> ([T; K], [T; ENTRIES]),
-    ) -> Result<Solved<T, ByTurns<T, E, K, ENTRIES, FACTORS>, K>, StepError<T>> {
+    ) -> Result<SolvedInPlace<'f, T, ByTurns<T, E, K, ENTRIES, FACTORS>, K>, StepError<T>> {
         let _ = elimination;
         let columns = self.columns(block);
-        self.block(block, sizes, |iterate| {
+        self.block_in_place(block, sizes, factors, |iterate| {
             let (phi, values) = evaluate(iterate);
             (SVector::from(phi), AtIterate { matrix: Entries { values, columns }, x: iterate.x })
         })
@@ -213,9 +216,25 @@ impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
         sizes: [T; K],
         evaluate: impl Fn(&Iterate<T, K>) -> Linearized<T, L, K>,
     ) -> Result<Solved<T, L, K>, StepError<T>> {
+        let mut factors = None;
+        let SolvedInPlace { x, sin_cos, .. } = self.block_in_place(block, sizes, &mut factors, evaluate)?;
+        factors.map(|factors| Solved { x, sin_cos, factors }).ok_or(StepError::Far)
+    }
+
+    #[inline(always)]
+    fn block_in_place<'f, L: Linear<T, K>, const K: usize>(
+        &mut self,
+        block: &Block<K>,
+        sizes: [T; K],
+        factors: &'f mut Option<L>,
+        evaluate: impl Fn(&Iterate<T, K>) -> Linearized<T, L, K>,
+    ) -> Result<SolvedInPlace<'f, T, L, K>, StepError<T>> {
         let WarmStart { predictor, length, reciprocal, report } = match &mut self.0 {
             Method::WarmStart(warm) => warm,
-            Method::ColdStart(cold) => return cold.solve_block(block, sizes, &evaluate),
+            Method::ColdStart(cold) => {
+                let Solved { x, sin_cos, factors: found } = cold.solve_block(block, sizes, &evaluate)?;
+                return Ok(SolvedInPlace { x, sin_cos, factors: factors.insert(found) });
+            }
         };
         let data = BlockData {
             unknowns: &block.unknowns,
@@ -224,11 +243,12 @@ impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
             sizes: &SVector::from(sizes),
         };
         let name = block.unknowns.first().copied().unwrap_or(0);
-        let Some(solution) = predictor.solve(&data, name, evaluate) else { return Err(StepError::Far) };
+        let Some(solution) = predictor.solve(&data, name, factors, evaluate) else { return Err(StepError::Far) };
+        let Some(factors) = factors else { return Err(StepError::Far) };
         report.found = report.found.and(solution.found);
         report.condition = report.condition.max(solution.condition);
         report.iterations = report.iterations.max(solution.iterations);
-        Ok(Solved { x: solution.iterate.x.data.0[0], sin_cos: solution.iterate.sin_cos, factors: solution.factors })
+        Ok(SolvedInPlace { x: solution.iterate.x.data.0[0], sin_cos: solution.iterate.sin_cos, factors })
     }
 }
 

@@ -137,15 +137,23 @@ impl BlockPrinter<'_> {
             .zip(&block.turns)
             .map(|(unknown, names)| names.iter().any(Option::is_some) || self.kept.contains(unknown));
         let pairs: Vec<TokenStream> = block.turns.iter().map(pair).collect();
-        let LinearSolution { elimination, order, method, jacobian } = self.linear_solution(number, block, &inner);
+        let LinearSolution { elimination, order, is_in_place, method, jacobian } = self.linear_solution(number, block, &inner);
         let (pass, place, solved, k) = (local("pass"), local("place"), self.solved(number), literal::number(k));
+        let factors = local(&format!("factors_{number}"));
+        let (room, in_room) = if is_in_place {
+            (Some(quote!(let mut #factors = ::core::option::Option::None;)), Some(quote!(&mut #factors,)))
+        } else {
+            (None, None)
+        };
         let is_turned = block.turns.iter().flatten().any(Option::is_some);
         let [inner_pairs, outer_pairs] = [&place, &solved].map(|of| is_turned.then(|| quote!(let [#(#pairs),*] = #of.sin_cos;)));
         quote! {
             #before
             #elimination
+            #room
             let #solved = #pass.#method(
                 #order
+                #in_room
                 &::reuleaux::Block { unknowns: [#(#unknowns),*], equations: [#(#equations),*], kinds: [#(#kinds),*], needs_sin_cos: [#(#turns),*] },
                 [#(#sizes),*],
                 #[inline(always)]
@@ -184,6 +192,8 @@ struct LinearSolution {
     elimination: TokenStream,
     /// That type as an argument.
     order: Option<TokenStream>,
+    /// Whether its many factors stay where a variable of their own is.
+    is_in_place: bool,
     /// The method of the solver.
     method: TokenStream,
     /// Its Jacobian: by rows, or the entries that the elimination reads.
@@ -199,15 +209,17 @@ impl BlockPrinter<'_> {
                 quote!([#(#entries),*])
             };
             let jacobian = block.system.jacobian.iter().map(row).collect();
-            return LinearSolution { elimination: quote!(), order: None, method: quote!(small), jacobian };
+            return LinearSolution { elimination: quote!(), order: None, is_in_place: false, method: quote!(small), jacobian };
         };
         let order = local(&format!("Elimination{number}"));
+        let has_quaternions = !block.system.quaternions.is_empty();
         let is_length = block.system.unknowns.iter().map(|unknown| self.unknowns[*unknown].is_length).collect();
         let entry = |(i, j): &(usize, usize)| inner.expression(block.system.jacobian[*i][*j]);
         LinearSolution {
             elimination: super::elimination::elimination(&order, is_length, elimination, &block.system.quaternions),
             order: Some(quote!(#order,)),
-            method: if block.system.quaternions.is_empty() { quote!(sparse) } else { quote!(turning) },
+            is_in_place: has_quaternions,
+            method: if has_quaternions { quote!(turning) } else { quote!(sparse) },
             jacobian: elimination.pattern.iter().map(entry).collect(),
         }
     }

@@ -6,7 +6,7 @@ use super::docs::coordinate_name;
 use super::expression::{local, named};
 use super::functions::Emitter;
 use super::literal::{number, vector_type};
-use crate::plan::{Solution, Solving, StraightLine, Summary, Words};
+use crate::plan::{Solution, Solving, StraightLine, Summary, Words, tested};
 use crate::quantity::{Dim, Role};
 use crate::system::{COSINES, Equation};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -297,7 +297,8 @@ pub(super) struct Index {
 
 /// Unknowns that may be found to be no finite numbers
 fn unsure(solution: &Solution, shelf: &StateLayout) -> TokenStream {
-    let unsure = solution.unsure.iter().filter_map(|unknown| shelf.place(*unknown)).map(Literal::usize_unsuffixed);
+    let tested = tested(&solution.unsure, |unknown| shelf.place(unknown).is_some());
+    let unsure = tested.iter().filter_map(|unknown| shelf.place(*unknown)).map(Literal::usize_unsuffixed);
     quote!(#(#unsure),*)
 }
 

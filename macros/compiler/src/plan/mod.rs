@@ -5,6 +5,7 @@
 
 mod dynamics;
 mod elimination;
+mod finite;
 mod jerk;
 mod joints;
 mod kernels;
@@ -29,6 +30,8 @@ mod turning;
 mod words;
 
 pub use dynamics::DynamicsCode;
+pub use finite::Unsure;
+pub(crate) use finite::tested;
 pub use kernels::{Kernel, Kernels, Round};
 pub use lines::{Iterated, StageCode, StraightLine};
 pub use loads::{LoadKind, LoadsCode, NamedLoad};

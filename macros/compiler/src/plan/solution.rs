@@ -1,11 +1,12 @@
 //! The solution as a whole: its stages, their cost, and whether they share code.
 
+use super::finite::{Unsure, unsure};
 use super::kernels::Kernels;
 use super::lines::{PlanContext, StraightLine, lines};
 use super::rolled::STRAIGHT;
 use super::routine::Cost;
 use super::stage::{Elimination, Iteration, Stage};
-use crate::expr::{Arena, Binary, Expr, Leaf, Node, Unary};
+use crate::expr::{Arena, Expr};
 use std::collections::BTreeSet;
 
 /// Solution for q, q̇ and q̈.
@@ -13,8 +14,8 @@ use std::collections::BTreeSet;
 pub struct Solution {
     /// Stages in order.
     pub stages: Vec<Summary>,
-    /// Indices in q of unknowns whose values or derivatives may not be finite.
-    pub unsure: Vec<usize>,
+    /// Unknowns whose values or derivatives may not be finite.
+    pub unsure: Vec<Unsure>,
     /// Operations outside of loops, once per state.
     pub cost: Cost,
     /// Code of the solution.
@@ -84,35 +85,6 @@ const LONGEST: usize = 16_000;
 fn size(arena: &Arena, stages: &[Stage]) -> usize {
     let roots: Vec<Expr> = stages.iter().flat_map(Stage::results).collect();
     arena.reachable_to_values(&roots).len()
-}
-
-/// Unknowns whose values or derivatives may not be finite.
-///
-/// Results of Newton's method are finite, and so are their derivatives if the right-hand sides are. Sums, products, sines and cosines of
-/// finite unknowns are finite as well. Everything else must be tested: results that depend on parameters, which the user may set to any
-/// value, on time, or on functions with poles or a limited domain.
-fn unsure(arena: &Arena, stages: &[Stage]) -> Vec<usize> {
-    let is_given = |node: &Node| matches!(node, Node::Leaf(Leaf::Time | Leaf::Parameter(_) | Leaf::Input { .. } | Leaf::Datum(_)));
-    let has = |roots: &[Expr], is_risk: &dyn Fn(&Node) -> bool| {
-        let is_risk = |expr: &Expr| arena.value(*expr).map_or_else(|| is_risk(arena.node(*expr)), |value| !value.is_finite());
-        arena.reachable_to_values(roots).iter().any(is_risk)
-    };
-    let is_unsure = |stage: &&Stage| match stage {
-        Stage::Explicit { motion, .. } => has(motion, &|node| is_given(node) || has_poles(arena, node)),
-        Stage::Block(_) => has(&stage.results(), &|node| has_poles(arena, node)),
-        Stage::Check { .. } => false,
-    };
-    stages.iter().filter(is_unsure).flat_map(Stage::unknowns).copied().collect()
-}
-
-/// True for an operation that is not finite for every finite operand.
-fn has_poles(arena: &Arena, node: &Node) -> bool {
-    match *node {
-        Node::Binary(Binary::Div, _, divisor) => arena.as_constant(divisor).is_none(),
-        Node::Unary(function, _) => matches!(function, Unary::Sqrt | Unary::Tan | Unary::Asin | Unary::Acos | Unary::Exp | Unary::Ln),
-        Node::Call { .. } => true,
-        Node::Constant(_) | Node::Leaf(_) | Node::Binary(..) | Node::Select { .. } | Node::Marked { .. } => false,
-    }
 }
 
 /// Summary of a stage; `blocks` yields shape and cost of the next block.
