@@ -82,7 +82,8 @@ impl<T: SimdReal, const N: usize> Linear<T, N> for Small<T, N> {
             for k in 1..N {
                 amplification = amplification + self.adjugate[(i, k)].abs() * sizes[k];
             }
-            largest = largest.max((amplification * reciprocal) * reciprocals[i]);
+            let amplification = (amplification * reciprocal) * reciprocals[i];
+            largest = if i == 0 { amplification } else { largest.max(amplification) };
         }
         largest
     }
@@ -94,7 +95,9 @@ impl<T: SimdReal, const N: usize> Linear<T, N> for Small<T, N> {
 
     #[inline(always)]
     fn is_regular(&self) -> T::Mask {
-        (T::of(NOISE) * T::EPSILON * self.magnitude + T::of(NOTHING)).at_most(self.determinant.abs())
+        // One entry alone has no rounding errors.
+        let noise = if N == 1 { T::of(NOTHING) } else { T::of(NOISE) * T::EPSILON * self.magnitude + T::of(NOTHING) };
+        noise.at_most(self.determinant.abs())
     }
 }
 

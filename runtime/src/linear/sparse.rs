@@ -14,7 +14,7 @@ use super::{FactorReal, Linear};
 use crate::number::{Float, Mask, SimdReal};
 
 /// Up to this growth elimination is as accurate as with pivoting.
-const TIGHT: f64 = 4.0;
+const TIGHT: f64 = 2.0;
 
 /// A matrix by its entries that are not always zero.
 #[derive(Clone, Copy, Debug)]

@@ -173,7 +173,8 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
             let is_alike = factors.is_regular().and(follows).and(T::same_signs(factors.det_sign(), sign));
             let mut found = is_short.and(is_last).and(amplification.at_most(T::of(ILL))).and(is_alike);
             if !found.all() {
-                found = is_found(length, next, condition, amplification + norm(&there.x, data.reciprocal)).and(is_alike);
+                found =
+                    is_found(length, next, amplification.max(T::of(1.0)), amplification + norm(&there.x, data.reciprocal)).and(is_alike);
             }
             let is_over = found.all() || found.or(follows.not()).all() || iterations >= 2 * MOST_CORRECTIONS;
             if is_over && !is_tested && !found.or(is_near.not()).all() {
@@ -238,5 +239,7 @@ fn further<T: SimdReal, const K: usize>(iterate: Iterate<T, K>, correction: SVec
 /// The sum of scaled magnitudes; NaN if one is.
 #[inline(always)]
 fn norm<T: SimdReal, const K: usize>(vector: &SVector<T, K>, reciprocal: &SVector<T, K>) -> T {
-    (0..K).fold(T::of(0.0), |sum, k| sum + vector[k].abs() * reciprocal[k])
+    // From the first term on, since rustc keeps a sum with zero.
+    let term = |k: usize| vector[k].abs() * reciprocal[k];
+    (1..K).fold(term(0), |sum, k| sum + term(k))
 }

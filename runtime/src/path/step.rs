@@ -77,8 +77,7 @@ pub fn step_lanes<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
     let Ok(there) = &result else { return nowhere };
     let Some(StepReport { found, condition, iterations }) = solver.report() else { return nowhere };
     let found = found.and(moving).and(is_resolved::<T, E, N>(here, &there.q, h));
-    let accelerations = sum(&there.qdd, E::ITERATED);
-    let mut found = found.and(is_surely_finite(h + accelerations, there.moment(), E::MAY_BE_NON_FINITE));
+    let mut found = found.and(is_surely_finite(sum(h, &there.qdd, E::ITERATED), there.moment(), E::MAY_BE_NON_FINITE));
     // A prediction that was right to half of its digits lies on the same branch; others are checked backwards.
     if iterations > ONE_CORRECTION {
         // Copies, so that the usual case can keep the originals in registers.
@@ -129,10 +128,10 @@ fn step_in_place<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
     found
 }
 
-/// The sum of these entries.
+/// The sum of a number and these entries.
 #[inline(always)]
-fn sum<T: SolverReal, const N: usize>(vector: &SVector<T, N>, indices: &[usize]) -> T {
-    let mut sum = T::of(0.0);
+fn sum<T: SolverReal, const N: usize>(first: T, vector: &SVector<T, N>, indices: &[usize]) -> T {
+    let mut sum = first;
     for &i in indices {
         if i < N {
             sum = sum + vector[i];
@@ -147,18 +146,19 @@ fn sum<T: SolverReal, const N: usize>(vector: &SVector<T, N>, indices: &[usize])
 /// * `sum`: given, the length of the step plus the accelerations of the iterated coordinates.
 #[inline(always)]
 fn is_surely_finite<T: SolverReal, const N: usize>(sum: T, there: Moment<'_, T, N>, indices: Option<&[usize]>) -> T::Mask {
-    // Three independent sums, which shorten the chain of dependent additions.
-    let mut sums = [sum, T::of(0.0), T::of(0.0)];
+    // Three independent sums, which shorten the chain of dependent additions; two of them begin with their first term, since rustc keeps a
+    // sum with zero.
+    let (mut of_q, mut others): (T, Option<[T; 2]>) = (sum, None);
     let mut add = |i: usize| {
-        sums[0] = sums[0] + there.q[i];
-        sums[1] = sums[1] + there.qdd[i];
-        sums[2] = sums[2] + there.qd[i] * there.qd[i];
+        let here = [there.qdd[i], there.qd[i] * there.qd[i]];
+        of_q = of_q + there.q[i];
+        others = Some(others.map_or(here, |[a, b]| [a + here[0], b + here[1]]));
     };
     match indices {
         Some(indices) => indices.iter().filter(|i| **i < N).for_each(|i| add(*i)),
         None => (0..N).for_each(add),
     }
-    let sum = (sums[0] + sums[1]) + sums[2];
+    let sum = others.map_or(of_q, |[a, b]| (of_q + a) + b);
     // 0 for a finite sum, NaN for ∞ and NaN.
     (T::of(0.0) * sum).at_most(T::of(0.0))
 }

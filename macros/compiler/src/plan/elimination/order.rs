@@ -30,10 +30,10 @@ pub(super) struct Pivot {
 const GROWTHS: [f64; 3] = [8.0, 64.0, 1024.0];
 
 /// Further limits of the first class, from the most to the least sparse order.
-const STRICTER: [f64; 5] = [4.0, 3.0, 2.0, 1.5, 1.0];
+const STRICTER: [f64; 4] = [4.0, 2.0, 1.5, 1.0];
 
 /// Up to this growth of the whole elimination the run time does not refine solutions.
-pub(super) const TIGHT: f64 = 4.0;
+const TIGHT: f64 = 2.0;
 
 /// Chooses a pivot for each row and column.
 pub(super) fn in_order(size: usize, entries: &[PivotCandidate]) -> Vec<Pivot> {
