@@ -147,6 +147,7 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
             // Where two branches cross, the smooth continuation changes the sign. A warm step does not switch to the other branch.
             follows = follows.and(T::same_signs(sign_here, sign));
             let there = iterate.nudged_back(&correction, data.needs_sin_cos);
+            let length = norm(&correction, data.reciprocal);
 
             let closer = evaluate(&there);
             let phi = &closer.0;
@@ -167,7 +168,6 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
             let amplification = factors.error_amplification(data.sizes, data.reciprocal);
             let condition = amplification.max(T::of(1.0));
 
-            let length = norm(&correction, data.reciprocal);
             let is_short = length.at_most(T::ROOT_EPSILON);
             let is_last = next.at_most(T::of(ROUNDINGS) * T::EPSILON * amplification);
             let is_alike = factors.is_regular().and(follows).and(T::same_signs(factors.det_sign(), sign));
