@@ -5,6 +5,9 @@
 //! poles or a limited domain. Of the unknowns with the same pole one is enough, if it cannot be finite where the pole is. Unknowns that depend
 //! on values from outside are all tested, since sums and products of very large ones overflow.
 
+#[cfg(test)]
+mod tests;
+
 use super::stage::Stage;
 use crate::expr::{Arena, Binary, Expr, Leaf, Node, Unary};
 use std::collections::BTreeSet;

@@ -1,8 +1,7 @@
 //! Order of pivots: among those that are large enough, entries ±1 first, then those with the least fill-in.
 //!
 //! Reference: Duff, Erisman, Reid, Direct Methods for Sparse Matrices, 7.2 (Markowitz count) and 7.8 (threshold pivoting). The threshold
-//! applies to the quantity that the run time monitors: the growth of each row of |L| |U| relative to the row of the matrix. Where an order
-//! grows so much that the run time would refine its solutions, stricter thresholds are tried.
+//! applies to the quantity that the run time monitors: the growth of each row of |L| |U| relative to the row of the matrix.
 
 use std::collections::BTreeSet;
 
@@ -29,25 +28,10 @@ pub(super) struct Pivot {
 /// Classes of growth: pivots in one class count as equally accurate. Growth above the last limit is bad, but better than no pivot.
 const GROWTHS: [f64; 3] = [8.0, 64.0, 1024.0];
 
-/// Further limits of the first class, from the most to the least sparse order.
-const STRICTER: [f64; 4] = [4.0, 2.0, 1.5, 1.0];
-
-/// Up to this growth of the whole elimination the run time does not refine solutions.
-const TIGHT: f64 = 2.0;
-
 /// Chooses a pivot for each row and column.
 pub(super) fn in_order(size: usize, entries: &[PivotCandidate]) -> Vec<Pivot> {
-    let order = |first: Option<f64>| {
-        let mut work = RemainingMatrix::new(size, entries, first);
-        let pivots: Vec<Pivot> = (0..size).map(|_| work.step()).collect();
-        (pivots, work.whole_growth())
-    };
-    let (usual, growth) = order(None);
-    if growth <= TIGHT {
-        return usual;
-    }
-    let stricter = STRICTER.into_iter().map(|limit| order(Some(limit))).find(|(_, growth)| *growth <= TIGHT);
-    stricter.map_or(usual, |(pivots, _)| pivots)
+    let mut work = RemainingMatrix::new(size, entries);
+    (0..size).map(|_| work.step()).collect()
 }
 
 /// A candidate for the next pivot.
@@ -73,22 +57,16 @@ struct RemainingMatrix {
     entries: Vec<Vec<Option<PivotCandidate>>>,
     /// Sum of magnitudes of each row of the original matrix, by pose.
     sizes: Vec<Vec<f64>>,
-    /// Sum of magnitudes of each row of |L| |U| so far, by pose.
-    grown: Vec<Vec<f64>>,
-    /// Limits of the classes of growth.
-    limits: Vec<f64>,
 }
 
 impl RemainingMatrix {
-    fn new(size: usize, entries: &[PivotCandidate], first: Option<f64>) -> RemainingMatrix {
+    fn new(size: usize, entries: &[PivotCandidate]) -> RemainingMatrix {
         let poses = entries.iter().map(|entry| entry.values.len()).max().unwrap_or(0);
         let mut work = RemainingMatrix {
             rows: (0..size).collect(),
             columns: (0..size).collect(),
             entries: vec![vec![None; size]; size],
             sizes: vec![vec![0.0; poses]; size],
-            grown: vec![vec![0.0; poses]; size],
-            limits: first.into_iter().chain(GROWTHS).collect(),
         };
         for entry in entries {
             let (row, column) = entry.place;
@@ -119,7 +97,7 @@ impl RemainingMatrix {
             let holders: Vec<usize> = self.rows.iter().copied().filter(|row| self.entries[*row][column].is_some()).collect();
             for &row in &holders {
                 let growth = self.growth(row, column, &holders);
-                let class = self.limits.iter().position(|limit| growth <= *limit).unwrap_or(self.limits.len());
+                let class = GROWTHS.iter().position(|limit| growth <= *limit).unwrap_or(GROWTHS.len());
                 let is_unit = self.entries[row][column].as_ref().is_some_and(|entry| entry.is_unit);
                 let fill = (of_row[row] - 1) * (holders.len() - 1);
                 let candidate = Candidate { rank: (class, !is_unit, fill), growth, place: (row, column) };
@@ -136,7 +114,8 @@ impl RemainingMatrix {
         let Some(pivot) = &self.entries[row][column] else { return f64::INFINITY };
         let mut worst: f64 = 1.0;
         for (pose, value) in pivot.values.iter().enumerate() {
-            let length = self.length(row, pose);
+            let of_pose = |column: &usize| self.entries[row][*column].as_ref().map_or(0.0, |entry| entry.values[pose].abs());
+            let length: f64 = self.columns.iter().map(of_pose).sum();
             for other in holders.iter().filter(|other| **other != row) {
                 let Some(entry) = &self.entries[*other][column] else { continue };
                 let growth = (entry.values[pose] / value).abs() * length / self.sizes[*other][pose];
@@ -149,31 +128,8 @@ impl RemainingMatrix {
         worst
     }
 
-    /// Sum of magnitudes of what is left of a row.
-    fn length(&self, row: usize, pose: usize) -> f64 {
-        let size = |column: &usize| self.entries[row][*column].as_ref().map_or(0.0, |entry| entry.values[pose].abs());
-        self.columns.iter().map(size).sum()
-    }
-
-    /// Growth of the worst row of |L| |U| after all steps, relative to its row sum, at the worst pose.
-    fn whole_growth(&self) -> f64 {
-        let rows = self.grown.iter().zip(&self.sizes);
-        let growths = rows.flat_map(|(grown, sizes)| grown.iter().zip(sizes).map(|(grown, size)| grown / size));
-        // NaN is ignored, as above.
-        growths.fold(1.0, f64::max)
-    }
-
     fn eliminate(&mut self, (row, column): (usize, usize)) {
         let Some(pivot) = self.entries[row][column].clone() else { return };
-        for pose in 0..pivot.values.len() {
-            let length = self.length(row, pose) + pivot.values[pose].abs();
-            self.grown[row][pose] += length;
-            for other in &self.rows {
-                if let Some(entry) = &self.entries[*other][column] {
-                    self.grown[*other][pose] += (entry.values[pose] / pivot.values[pose]).abs() * length;
-                }
-            }
-        }
         let above: Vec<PivotCandidate> = self.columns.iter().filter_map(|column| self.entries[row][*column].clone()).collect();
         for &other in &self.rows {
             let Some(below) = self.entries[other][column].clone() else { continue };
