@@ -173,8 +173,7 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
             let is_alike = factors.is_regular().and(follows).and(T::same_signs(factors.det_sign(), sign));
             let mut found = is_short.and(is_last).and(amplification.at_most(T::of(ILL))).and(is_alike);
             if !found.all() {
-                found =
-                    is_found(length, next, amplification.max(T::of(1.0)), amplification + norm(&there.x, data.reciprocal)).and(is_alike);
+                found = is_found(length, next, condition, amplification + norm(&there.x, data.reciprocal)).and(is_alike);
             }
             let is_over = found.all() || found.or(follows.not()).all() || iterations >= 2 * MOST_CORRECTIONS;
             if is_over && !is_tested && !found.or(is_near.not()).all() {

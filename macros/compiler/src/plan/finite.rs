@@ -25,7 +25,7 @@ pub struct Unsure {
     shown: BTreeSet<Expr>,
 }
 
-/// Of each stage with a risk.
+/// The unknowns that may not be finite, by stage.
 pub(super) fn unsure(arena: &Arena, stages: &[Stage]) -> Vec<Unsure> {
     let of_stage = |stage: &Stage| {
         let (results, shown) = match stage {
@@ -42,7 +42,7 @@ pub(super) fn unsure(arena: &Arena, stages: &[Stage]) -> Vec<Unsure> {
     stages.iter().filter_map(of_stage).collect()
 }
 
-/// Enough of the unknowns that are `held` to show every risk of those that are.
+/// As many of the unknowns that are `held` as show all poles of the others that are; by index in q.
 pub(crate) fn tested(unsure: &[Unsure], held: impl Fn(usize) -> bool) -> Vec<usize> {
     let mut found = Vec::new();
     let mut all: BTreeSet<Expr> = BTreeSet::new();
