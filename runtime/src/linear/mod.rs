@@ -74,7 +74,7 @@ pub trait Linear<T: SimdReal, const N: usize>: Sized {
     /// The index of a row with an entry that is not finite, unless every solution then is not finite.
     fn factor(matrix: &Self::Matrix) -> Result<Self, usize>;
 
-    /// The same where the factors are to lie: a result of many numbers would be copied each time it is handed on.
+    /// Factors `matrix` and leaves the factors in `place`: a result of many numbers would be copied each time it is handed on.
     ///
     /// # Errors
     /// As [`factor`](Self::factor).

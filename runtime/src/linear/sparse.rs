@@ -198,7 +198,7 @@ where
     T: FactorReal,
     E: Elimination<T, K, ENTRIES, FACTORS>,
 {
-    // Found at compile time: to look for the diagonal among all entries takes as long as half an elimination.
+    // Found when compiling: to look for the pivots among all entries takes as long as half an elimination.
     let pivots = const { E::ORDER.pivots() };
     let sign = T::of(if const { E::ORDER.is_odd() } { -1.0 } else { 1.0 });
     pivots.iter().fold(sign, |sign, &place| T::select_less(lu[place], T::of(0.0), -sign, sign)).signs()

@@ -64,7 +64,7 @@ pub(crate) struct BlockData<'a, T, const K: usize> {
     pub(crate) sizes: &'a SVector<T, K>,
 }
 
-/// A solution; its factors are where the caller wants them.
+/// A solution. Its factors lie where the caller keeps them.
 pub(crate) struct BlockSolution<T: SimdReal, const K: usize> {
     pub(crate) iterate: Iterate<T, K>,
     pub(crate) condition: T,

@@ -192,7 +192,7 @@ struct LinearSolution {
     elimination: TokenStream,
     /// That type as an argument.
     order: Option<TokenStream>,
-    /// Whether its many factors stay where a variable of their own is.
+    /// Whether its factors, which are many, have a variable of their own.
     is_in_place: bool,
     /// The method of the solver.
     method: TokenStream,
