@@ -140,7 +140,7 @@ impl BlockPrinter<'_> {
         let LinearSolution { elimination, order, is_in_place, method, jacobian } = self.linear_solution(number, block, &inner);
         let (pass, place, solved, k) = (local("pass"), local("place"), self.solved(number), literal::number(k));
         let factors = local(&format!("factors_{number}"));
-        let (room, in_room) = if is_in_place {
+        let (declared, passed) = if is_in_place {
             (Some(quote!(let mut #factors = ::core::option::Option::None;)), Some(quote!(&mut #factors,)))
         } else {
             (None, None)
@@ -150,10 +150,10 @@ impl BlockPrinter<'_> {
         quote! {
             #before
             #elimination
-            #room
+            #declared
             let #solved = #pass.#method(
                 #order
-                #in_room
+                #passed
                 &::reuleaux::Block { unknowns: [#(#unknowns),*], equations: [#(#equations),*], kinds: [#(#kinds),*], needs_sin_cos: [#(#turns),*] },
                 [#(#sizes),*],
                 #[inline(always)]
