@@ -3,6 +3,7 @@
 mod arms;
 mod couplings;
 mod declaration;
+mod further_angles;
 mod limits;
 mod links;
 mod loads;

@@ -95,3 +95,31 @@ fn a_declared_orientation_is_that_against_ground_on_a_placed_body_as_well() {
         assert!((angle - (30_f64.to_radians() + side)).abs() < 1e-14, "{angle}");
     }
 }
+
+mechanism! {
+    /// A shaft with two crosses and a sliding sleeve: some of its angles are zero at the start by symmetry.
+    mechanism Shaft in space {
+        let x = 1m;
+        ground { point O = (x, -x, 0.5 * x);  axis a = (1, 0, 0.2) from (0, 1, 0);  point E = (x + 600mm, -x, 0.5 * x + 120mm + 50mm); }
+        body input { axis a = (0, 0, 1) from (1, 0, 0);  point end = (0mm, 0mm, 200mm);  axis arm = (1, 0, 0); }
+        body tube {
+            start orientation = turn((-0.8905, -0.8905, 1), -116deg);
+            axis a = (1, 0, 0) from (0, 0, 1);  axis arm = (0, 0, 1);
+        }
+        body sleeve { axis a = (1, 0, 0) from (0, 0, 1);  point end = (200mm, 0mm, 0mm);  axis arm = (0, 0, 1); }
+        body output { axis a = (1, 0, 0);  axis arm = (0, 1, 0); }
+        joint b = revolute(ground.O, ground.a, input.position, input.a);
+        joint u1 = universal(input.end, input.arm, tube.position, tube.arm);
+        joint slip = translational(tube.position, tube.a, sleeve.position, sleeve.a);
+        joint u2 = universal(sleeve.end, sleeve.arm, output.position, output.arm);
+        joint e = revolute(ground.E, ground.a, output.position, output.a);
+        drive motor = drive_rotation(b, 60rpm * t);
+    }
+}
+
+#[test]
+fn corrections_of_angles_that_are_zero_by_symmetry_settle() {
+    let mechanism = Shaft::default();
+    assert!(mechanism.solve(0.0).is_ok(), "{:?}", mechanism.solve(0.0).err());
+    assert!(mechanism.sweep((0..20).map(|k| 0.05 * f64::from(k))).all(|state| state.is_ok()));
+}

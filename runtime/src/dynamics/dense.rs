@@ -12,11 +12,16 @@ use super::equations::Dynamics;
 use super::partition::Pivots;
 use super::places::{picked, put};
 use super::project::{project, refresh};
+use super::rank::too_short;
+use super::step::{ROUNDING, is_near};
 use super::stopped::Stopped;
 use super::tableau::Rates;
 use super::tableau::{DENSE, STAGES, dense, dense_node, dense_stage};
 use crate::number::Scalar;
 use crate::state::State;
+
+/// The polynomial may leave the equations by so many times the tolerance of a step.
+const COARSER: f64 = 10.0;
 
 /// A step that states are asked of.
 #[derive(Clone)]
@@ -87,6 +92,7 @@ impl<T: Scalar, const N: usize, const I: usize> Dense<T, N, I> {
     /// The state at a time.
     ///
     /// * `known`: given, pivots at the end of the step.
+    /// * `tolerance`, `fastest`: given, those of the step, as for [`land`](super::step::land).
     ///
     /// # Errors
     /// Why there is none.
@@ -95,6 +101,7 @@ impl<T: Scalar, const N: usize, const I: usize> Dense<T, N, I> {
         mechanism: &S,
         known: Option<&Pivots<T, M, I>>,
         t: T,
+        (tolerance, fastest): (T, T),
     ) -> Result<State<T, N>, Stopped<T>>
     where
         S: Dynamics<T, N, I, M, R>,
@@ -109,8 +116,12 @@ impl<T: Scalar, const N: usize, const I: usize> Dense<T, N, I> {
         for (vector, coefficients) in [&mut q, &mut qd].into_iter().zip(&self.coefficients) {
             put(vector, &S::INTEGRATED, &core::array::from_fn(|k| value(&coefficients[k])));
         }
+        let before = [q, qd];
         project(mechanism, known, (&mut q, &mut qd), t).map_err(|open| singular::<T, S, N, I, M, R>(t, open.row()))?;
         let mut state = State::new(t, q, qd, self.from.qdd);
+        if !is_near(mechanism, before.each_ref(), [&q, &qd], ((T::of(COARSER) * tolerance).max(T::of(ROUNDING) * T::EPSILON), fastest)) {
+            return Err(too_short(mechanism, &state));
+        }
         refresh(mechanism, &mut state)?;
         Ok(state)
     }

@@ -24,11 +24,14 @@ const DERIVATIVES: usize = 2;
 /// The first state between two others at which an event changes its sign; none if it does not.
 ///
 /// Interpolated states show roughly where that is. States at the ends of steps decide, since near the instant the two may differ in sign.
+///
+/// * `tolerance`: given, that of steps, as for [`land`].
 pub(super) fn first_event<K: Method, T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     from: &State<T, N>,
     to: &State<T, N>,
     event: &impl Fn(&State<T, N>) -> T,
+    tolerance: (T, T),
 ) -> Result<Option<State<T, N>>, Stopped<T>>
 where
     T: Scalar,
@@ -42,7 +45,7 @@ where
             return Ok((part, event(to), to.clone()));
         }
         let trial = K::trial(mechanism, from, part * whole)?;
-        land(mechanism, from, &trial, part * whole, None).map(|(state, _)| (part, event(&state), state))
+        land(mechanism, from, &trial, part * whole, None, tolerance).map(|(state, _)| (part, event(&state), state))
     };
     let look = |part| event(&between(mechanism, from, to, part));
     let mut looks = Looks::new(|number, part| match number {
@@ -78,7 +81,7 @@ where
             is_first = changes(before.1, after.1);
         }
         if changes(before.1, after.1) {
-            return locate::<K, T, S, N, I, M, R>(mechanism, from, (before, after), (whole, &exactly), event).map(Some);
+            return locate::<K, T, S, N, I, M, R>(mechanism, from, (before, after), (whole, &exactly), event, tolerance).map(Some);
         }
         low = *high;
     }
@@ -127,6 +130,7 @@ where
 /// The state at which an event has the value zero, between two at which it has different signs.
 ///
 /// * `whole`, `exactly`: given, the size of the step, and the state at a part of it.
+/// * `tolerance`: given, that of steps, as for [`land`].
 #[allow(clippy::type_complexity)] // Parts, values and states.
 fn locate<K: Method, T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
@@ -134,6 +138,7 @@ fn locate<K: Method, T, S, const N: usize, const I: usize, const M: usize, const
     (before, after): (Instant<T, N>, Instant<T, N>),
     (whole, exactly): (T, &impl Fn(T) -> Result<Instant<T, N>, Stopped<T>>),
     event: &impl Fn(&State<T, N>) -> T,
+    tolerance: (T, T),
 ) -> Result<State<T, N>, Stopped<T>>
 where
     T: Scalar,
@@ -169,7 +174,7 @@ where
     // The search compares values: how the instant depends on parameters follows by Newton's method.
     let at = |h: T| {
         let trial = K::trial(mechanism, from, h)?;
-        land(mechanism, from, &trial, h, None).map(|(state, _)| (h, event(&state), state))
+        land(mechanism, from, &trial, h, None, tolerance).map(|(state, _)| (h, event(&state), state))
     };
     let mut found = (found.0 * whole, found.1, found.2);
     for _ in 0..DERIVATIVES {

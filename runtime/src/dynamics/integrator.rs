@@ -147,7 +147,7 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
                 return Ok(false);
             }
             let (next, _) = self.next(mechanism, state, &mut reached, t)?;
-            if let Some(found) = first_event::<K, T, S, N, I, M, R>(mechanism, state, &next, &event)? {
+            if let Some(found) = first_event::<K, T, S, N, I, M, R>(mechanism, state, &next, &event, (self.tolerance, self.fastest))? {
                 *state = found;
                 return Ok(true);
             }
@@ -187,7 +187,8 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
                 error_and_speed = error(mechanism, state, &trial, h, (self.tolerance, self.fastest));
                 let is_accepted = error_and_speed.0 <= T::of(1.0);
                 if is_accepted {
-                    land(mechanism, state, &trial, h, reached.as_ref()).map(|landed| Some((landed, trial.rates)))
+                    let tolerance = (self.tolerance, self.fastest);
+                    land(mechanism, state, &trial, h, reached.as_ref(), tolerance).map(|landed| Some((landed, trial.rates)))
                 } else {
                     Ok(None)
                 }

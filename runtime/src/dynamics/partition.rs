@@ -2,6 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use super::integrator::least;
 use crate::number::Scalar;
 
 /// Times √ε: a pivot below this part of its row counts as zero.
@@ -59,6 +60,16 @@ impl<T, const M: usize, const I: usize> Pivots<T, M, I> {
     /// Those of the rows that have a pivot.
     pub(super) fn among(&self, rows: &[bool; M]) -> [bool; M] {
         core::array::from_fn(|row| rows[row] && self.rows.iter().take(self.count).any(|own| *own == row))
+    }
+
+    /// The smallest pivot relative to the natural size of its row.
+    pub(super) fn smallest(&self, lengths: &[T; I], sizes: &[T; M]) -> T
+    where
+        T: Scalar,
+    {
+        let lengths = ordered(lengths, &self.unknowns, T::of(1.0));
+        let pivots = self.sizes.iter().zip(&lengths).zip(ordered(sizes, &self.rows, T::of(1.0))).take(self.count);
+        pivots.fold(T::of(1.0), |smallest, ((pivot, length), size)| least(smallest, *pivot * *length / size))
     }
 
     /// True if both have the same order, and pivots of the same signs.

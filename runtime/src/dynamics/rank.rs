@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::accelerate::{lengths, redundant, singular};
+use super::accelerate::{lengths, natural_sizes, redundant, singular};
 use super::equations::Dynamics;
 use super::method::Method;
 use super::partition::{Partition, has_other_signs, weakest};
@@ -69,6 +69,37 @@ where
         return Ok(());
     }
     Err(singular::<T, S, N, I, M, R>(from.t + high, row))
+}
+
+/// A pivot below this part of the natural size of its row may be one of equations that depend on each other.
+const SUSPECT: f64 = 1e-4;
+
+/// Times √ε: where an equation keeps less than this part of itself beside the others, rounding decides where the motion goes. Of two branches
+/// that cross, a motion within √ε of the crossing may follow either.
+const FLAT: f64 = 100.0;
+
+/// Checks that a place is not so close to one where equations depend on each other that rounding would decide where the motion goes.
+///
+/// * `reached`: given, J there.
+///
+/// # Errors
+/// A joint whose equations depend on the others.
+pub(super) fn is_regular<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    t: T,
+    (jacobian, pivots): &Reached<T, M, I>,
+) -> Result<(), Stopped<T>>
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let lengths = lengths(mechanism);
+    if pivots.smallest(&lengths, &natural_sizes(mechanism)) > T::of(SUSPECT) {
+        return Ok(());
+    }
+    let assembled = mechanism.constraints(&mechanism.start(), t).jacobian;
+    let (row, left) = weakest(jacobian, &assembled, &lengths, &redundant(mechanism));
+    if left > T::of(FLAT) * T::ROOT_EPSILON { Ok(()) } else { Err(singular::<T, S, N, I, M, R>(t, row)) }
 }
 
 /// Why no step is short enough at a state: its equations depend on each other there, or the motion is not smooth.

@@ -1,16 +1,16 @@
 //! The end of a step: where it leads, and how far it is off.
 
-use nalgebra::SMatrix;
+use nalgebra::{SMatrix, SVector};
 
-use super::accelerate::{lengths, singular};
+use super::accelerate::{lengths, natural_sizes, singular};
 use super::checks::holds;
 use super::equations::Dynamics;
 use super::explicit::Explicit;
 use super::method::{Method, Trial};
 use super::partition::Pivots;
-use super::places::{is_finite, largest, picked};
+use super::places::{is_finite, largest, moved, picked};
 use super::project::{project, refresh};
-use super::rank::keeps_rank;
+use super::rank::{is_regular, keeps_rank, too_short};
 use super::stopped::Stopped;
 use crate::number::Scalar;
 use crate::state::State;
@@ -29,21 +29,34 @@ where
     let mut start = state.clone();
     refresh(mechanism, &mut start)?;
     let trial = Explicit::trial(mechanism, &start, h)?;
-    let (next, reached) = land(mechanism, &start, &trial, h, None)?;
+    let (next, reached) = land(mechanism, &start, &trial, h, None, (T::of(COARSEST), T::ZERO))?;
     keeps_rank::<Explicit, T, S, N, I, M, R>(mechanism, (&start, None), (&next, &reached))?;
     *state = next;
     Ok(())
 }
 
+/// A step of fixed size may leave the equations by this part of the lengths and speeds.
+const COARSEST: f64 = 0.1;
+
+/// Times ε: how far a state may always be brought back, relative to lengths and speeds.
+pub(super) const ROUNDING: f64 = 1e4;
+
+/// Times ε, over the square of the smallest pivot: how far rounding moves speeds.
+const BY_ROUNDING: f64 = 10.0;
+
 /// The state after a step, brought back to where the equations hold.
 ///
+/// Where the equations are nearly dependent, this may move speeds by any amount: a step that they move by more than its tolerance is no step.
+///
 /// * `before`: given, J before the step.
+/// * `tolerance`, `fastest`: given, how far a state may be brought back relative to lengths and speeds, and the largest speed so far.
 pub(super) fn land<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     state: &State<T, N>,
     trial: &Trial<T, N, I>,
     h: T,
     before: Option<&Reached<T, M, I>>,
+    (tolerance, fastest): (T, T),
 ) -> Result<(State<T, N>, Reached<T, M, I>), Stopped<T>>
 where
     T: Scalar,
@@ -56,9 +69,45 @@ where
     let known = before.map(|(_, pivots)| pivots);
     let reached = project(mechanism, known, (&mut q, &mut qd), t).map_err(|open| singular::<T, S, N, I, M, R>(t, open.row()))?;
     holds::<T, S, N, I, M, R>(mechanism, &q, t)?;
+    let fastest = [&state.qd, &trial.end[1]].into_iter().fold(fastest, |fastest, speeds| fastest.max(speed(mechanism, speeds)));
+    // Positions are rounded to ε / p, p the smallest pivot, and speeds to that over p.
+    let pivot = reached.1.smallest(&lengths(mechanism), &natural_sizes(mechanism));
+    let allowed = tolerance.max(T::of(ROUNDING) * T::EPSILON).max(T::of(BY_ROUNDING) * T::EPSILON / (pivot * pivot));
+    if !is_near(mechanism, trial.end.each_ref(), [&q, &qd], (allowed, fastest.max(T::of(SLOW) / h.abs()))) {
+        return Err(too_short(mechanism, &State::new(t, q, qd, state.qdd)));
+    }
+    is_regular(mechanism, t, &reached)?;
     let mut next = State::new(t, q, qd, state.qdd);
     refresh(mechanism, &mut next)?;
     Ok((next, reached))
+}
+
+/// True if positions and speeds that were brought back to where the equations hold are near those before, by a tolerance relative to
+/// lengths, angles and the largest speed.
+pub(super) fn is_near<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    before: [&SVector<T, N>; 2],
+    after: [&SVector<T, N>; 2],
+    (tolerance, fastest): (T, T),
+) -> bool
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let lengths = lengths(mechanism);
+    let [q, u] = before.map(|vector| picked(vector, &S::INTEGRATED));
+    let [q_there, u_there] = after.map(|vector| picked(vector, &S::INTEGRATED));
+    let way = |one: &[T; I], other: &[T; I]| largest(&moved(other, T::of(-1.0), one), &lengths);
+    way(&q, &q_there) <= tolerance * largest(&q, &lengths).max(T::of(1.0)) && way(&u, &u_there) <= tolerance * fastest
+}
+
+/// The largest speed, in L/s and rad/s.
+pub(super) fn speed<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(mechanism: &S, speeds: &SVector<T, N>) -> T
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    largest(&picked(speeds, &S::INTEGRATED), &lengths(mechanism))
 }
 
 /// J at the end of a step, with an order of its elimination.
@@ -85,7 +134,7 @@ where
     let lengths = lengths(mechanism);
     let [end, moving] = &trial.end;
     for vector in [&state.qd, moving] {
-        fastest = fastest.max(largest(&picked(vector, &S::INTEGRATED), &lengths));
+        fastest = fastest.max(speed(mechanism, vector));
     }
     let [before, after] = [&state.q, end].map(|vector| picked(vector, &S::INTEGRATED));
     let (mut first, mut second, allowed) = (T::ZERO, T::ZERO, T::of(EACH) * tolerance);

@@ -56,7 +56,8 @@ where
                 return Ok(state.clone());
             }
             if let Some(step) = self.step.as_ref().filter(|step| step.contains(t)) {
-                return step.at(self.mechanism, self.reached.as_ref().map(|(_, pivots)| pivots), t);
+                let tolerance = (self.integrator.tolerance, self.integrator.fastest);
+                return step.at(self.mechanism, self.reached.as_ref().map(|(_, pivots)| pivots), t, tolerance);
             }
             let whole = if t < state.t { T::of(f64::NEG_INFINITY) } else { T::of(f64::INFINITY) };
             // Steps that do not know their stages end at the times.

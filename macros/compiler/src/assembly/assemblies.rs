@@ -8,6 +8,7 @@
 use super::curve::Curve;
 use super::degree::side;
 use super::reduced::Reduced;
+use crate::expr::{Expr, Values, evaluate};
 use crate::linear::dense::Factors;
 use crate::numeric::Numeric;
 use crate::numeric::search::compare;
@@ -78,7 +79,7 @@ impl Numeric<'_> {
         }
         reduced.set_out_from(start);
         values.extend(reduced.unknowns[k..].iter().map(|unknown| self.declared[*unknown].unwrap_or(0.0)));
-        if !reduced.close(&mut values) {
+        if !reduced.close(&mut values) || self.is_turned_over(block, reduced, start, &values) {
             return None;
         }
         let here = reduced.linearize(&values)?;
@@ -108,7 +109,7 @@ impl Numeric<'_> {
         let declared: Vec<f64> = reduced.unknowns.iter().map(|unknown| self.declared[*unknown].unwrap_or(0.0)).collect();
         if k == 0 {
             let mut x = declared;
-            if reduced.close(&mut x) {
+            if reduced.close(&mut x) && !self.is_turned_over(block, reduced, start, &x) {
                 found.push(x);
             }
             return found;
@@ -155,11 +156,25 @@ impl Numeric<'_> {
             }
         }
         self.with_turns(block, &counts, reduced, &mut found);
+        found.retain(|x| !self.is_turned_over(block, reduced, start, x));
         found.sort_by(|one, other| {
             let distance = |x: &[f64]| self.distance(&reduced.unknowns, x);
             compare(&distance(one), &distance(other))
         });
         found
+    }
+
+    /// True if the unknown that stands for the angle of a joint is half a turn away from that angle.
+    fn is_turned_over(&self, block: &Block, reduced: &Reduced, start: &[f64], x: &[f64]) -> bool {
+        if self.system.further_angles.is_empty() {
+            return false;
+        }
+        let own: Vec<Expr> = block.parts().1.into_iter().filter_map(|equation| self.system.equations[equation].phi()).collect();
+        let angles = self.system.further_angles.iter().filter(|angle| own.contains(&angle.phi));
+        let cosines: Vec<Expr> = angles.map(|angle| angle.cosine).collect();
+        let mut q = start.to_vec();
+        reduced.unknowns.iter().zip(x).for_each(|(unknown, value)| q[*unknown] = *value);
+        evaluate(&self.system.arena, &cosines, &Values { coordinates: &q, ..self.known }).into_iter().any(|cosine| cosine < 0.0)
     }
 
     /// Adds an assembly unless it is already known; of two descriptions that differ by whole turns the nearer one is kept. Returns its

@@ -73,8 +73,19 @@ pub struct System {
     pub links: Vec<usize>,
     /// In space: angles and displacements of joints less their declared starts, in the order of these.
     pub off_starts: Vec<Expr>,
+    /// In space: angles of joints that place no body.
+    pub further_angles: Vec<FurtherAngle>,
     /// Equations of motion by ω in the axes of the bodies that are free to turn, if forces decide the motion and there are such bodies.
     pub by_spins: Option<EquationsBySpins>,
+}
+
+/// An unknown that is the angle of a joint and places no body.
+#[derive(Clone, Copy, Debug)]
+pub struct FurtherAngle {
+    /// Its row, which holds at the angle and half a turn away from it.
+    pub phi: Expr,
+    /// The cosine of the unknown less the angle: 1 at the angle, −1 half a turn away.
+    pub cosine: Expr,
 }
 
 /// One coordinate.
@@ -262,7 +273,8 @@ impl System {
 pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
     has_bodies(model, diag)?;
     let mut arena = model.arena.clone();
-    let Choice { coordinates, mut rows, outputs, frames, reached, links, balance, loads, off_starts } = match model.ambient {
+    let Choice { coordinates, mut rows, outputs, frames, reached, links, balance, loads, off_starts, further_angles } = match model.ambient
+    {
         Ambient::Plane => in_plane(model, &mut arena),
         Ambient::Space => forest::reduce(model, &mut arena, forest::FreeSpeeds::OfQuaternion),
     };
@@ -317,6 +329,7 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
         reached,
         links,
         off_starts,
+        further_angles,
         by_spins,
     })
 }
@@ -348,6 +361,8 @@ struct Choice {
     links: Vec<usize>,
     /// Angles and displacements of joints less their declared starts, in the order of these.
     off_starts: Vec<Expr>,
+    /// In space: angles of joints that place no body.
+    further_angles: Vec<FurtherAngle>,
     /// Forces by the rates of the unknowns, where they decide the motion.
     balance: Option<Balance>,
     /// In space: the equations of the loads.
@@ -365,6 +380,7 @@ fn in_plane(model: &Model, arena: &mut Arena) -> Choice {
         reached: Vec::new(),
         links: Vec::new(),
         off_starts: Vec::new(),
+        further_angles: Vec::new(),
         loads: None,
     }
 }

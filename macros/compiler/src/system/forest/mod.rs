@@ -119,7 +119,7 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena, free_speeds: FreeSpeeds) 
     let aligned = if is_loaded { forest.aligned() } else { BTreeMap::new() };
     let loads = is_loaded.then(|| LoadEquations::declared(model, forest.arena, &aligned)).flatten();
     let loads = loads.map(|loads| loads.map(|expr| forest.rewrite(expr)));
-    forest.rows_of_further_angles();
+    let further_angles = forest.rows_of_further_angles();
     forest.rows.sort_by_key(|row| row.joint);
     let frames: Vec<usize> = forest.frames.iter().map(|frame| frame.unwrap_or(0)).collect();
     let balance = balance.map(|balance| balance.by_unknowns(forest.arena, &frames, forest.coordinates.len()));
@@ -136,6 +136,7 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena, free_speeds: FreeSpeeds) 
         balance,
         loads,
         off_starts,
+        further_angles,
     }
 }
 

@@ -1,5 +1,6 @@
 //! Declared rows and outputs in the unknowns.
 
+use super::super::FurtherAngle;
 use super::super::rows::Row;
 use super::Forest;
 use crate::expr::{Binary, Expr, Leaf, Mark, Node, dot};
@@ -75,7 +76,13 @@ impl Forest<'_> {
     }
 
     /// Rows of the angles that joints name but that place no body.
-    pub(super) fn rows_of_further_angles(&mut self) {
+    ///
+    /// ```text
+    /// s cos θ − c sin θ = 0        s, c: y · x', x · x' of the two triads
+    /// s sin θ + c cos θ > 0        at θ + π the row holds too
+    /// ```
+    pub(super) fn rows_of_further_angles(&mut self) -> Vec<FurtherAngle> {
+        let mut angles = Vec::new();
         for (number, unknown) in self.further_angles.clone() {
             let (JointQuantity::Angle(one, two), _) = self.model.space.quantities[number as usize] else { continue };
             let ([x, y, _], [other, _, _]) = (self.in_ground(one), self.in_ground(two));
@@ -83,9 +90,12 @@ impl Forest<'_> {
             let (sine, cosine) = (self.arena.sin(unknown), self.arena.cos(unknown));
             let (left, right) = (self.arena.mul(s, cosine), self.arena.mul(c, sine));
             let phi = self.arena.sub(left, right);
+            let (along, across) = (self.arena.mul(c, cosine), self.arena.mul(s, sine));
+            angles.push(FurtherAngle { phi, cosine: self.arena.add(along, across) });
             let joint = two.body.or(one.body).map_or(0, |body| self.a_joint_of(body));
             self.rows.push(Row { joint, row: 0, dim: Dim::NUMBER, residual: phi, is_velocity: false, is_initial: false });
         }
+        angles
     }
 
     /// A declared expression in the unknowns.

@@ -1,0 +1,111 @@
+//! Places where the equations of the joints depend on each other: a motion stops there or passes, but never goes on with other speeds.
+
+use reuleaux::{Integrator, Stopped, mechanism};
+
+mechanism! {
+    /// Two pairs of equal links: it falls through the place where all of them lie in line.
+    mechanism Kite {
+        gravity = (0, -9.81m_s2);
+        ground { point B = (500mm, 0mm); }
+        body a { point P = (200mm, 0mm);  mass = 1kg;  inertia = 0.02kgm2;  start angle = 100deg; }
+        body c { point Q = (200mm, 0mm);  mass = 1kg;  inertia = 0.02kgm2;  center = (100mm, 20mm);  start angle = 20deg; }
+        body b { point P = (500mm, 0mm);  mass = 1kg;  inertia = 0.1kgm2;  start angle = 160deg; }
+        joint ja = revolute(ground.position, a.position);
+        joint jb = revolute(ground.B, b.position);
+        joint jc = revolute(a.P, c.position);
+        joint jd = revolute(c.Q, b.P);
+        freedom f = a.angle from 100deg at -6rad_s;
+    }
+}
+
+mechanism! {
+    /// A parallelogram that falls.
+    mechanism Parallelogram {
+        gravity = (0, -9.81m_s2);
+        ground { point B = (1m, 0m); }
+        body a { point P = (300mm, 0mm);  mass = 1kg;  inertia = 0.02kgm2;  start angle = 60deg; }
+        body b { point P = (300mm, 0mm);  mass = 1kg;  inertia = 0.02kgm2;  start angle = 60deg; }
+        body c { point Q = (1m, 0m);  mass = 1kg;  inertia = 0.1kgm2;  center = (500mm, 0mm); }
+        joint ja = revolute(ground.position, a.position);
+        joint jb = revolute(ground.B, b.position);
+        joint jc = revolute(a.P, c.position);
+        joint jd = revolute(c.Q, b.P);
+        freedom f = a.angle from 60deg;
+    }
+}
+
+mechanism! {
+    /// A parallelogram that a third crank keeps one beyond its flat place.
+    mechanism ThreeCranks {
+        gravity = (0, -9.81m_s2);
+        ground { point B = (2m, 0m);  point C = (1m, 0m); }
+        body crank { point P = (500mm, 0mm);  mass = 2kg;  center = (200mm, 10mm);  inertia = 0.05kgm2;  start angle = 60deg; }
+        body bar { point Q = (2m, 0m);  point R = (1m, 0m);  mass = 5kg;  center = (0.8m, 50mm);  inertia = 1.2kgm2; }
+        body rocker { point P = (500mm, 0mm);  mass = 1kg;  center = (250mm, 0mm);  inertia = 0.03kgm2;  start angle = 60deg; }
+        body third { point P = (500mm, 0mm);  mass = 1.5kg;  center = (250mm, 0mm);  inertia = 0.03kgm2;  start angle = 60deg; }
+        joint a = revolute(ground.position, crank.position);
+        joint b = revolute(ground.B, rocker.position);
+        joint c = revolute(crank.P, bar.position);
+        joint d = revolute(bar.Q, rocker.P);
+        joint e = revolute(ground.C, third.position);
+        redundant joint f = revolute(bar.R, third.P);
+        freedom s = crank.angle from 60deg at 1rad_s;
+    }
+}
+
+/// Tolerances between 1e-4 and 1e-12.
+fn tolerances() -> impl Iterator<Item = f64> {
+    (0..=16).map(|k| 1e-4 * 10.0_f64.powf(-0.5 * f64::from(k)))
+}
+
+/// True if the equations are said to depend on each other.
+fn is_told(stopped: &Stopped<f64>) -> bool {
+    matches!(stopped, Stopped::Singular { .. })
+}
+
+/// All states of sweeps, single advances and stiff ones keep the energy of the first, until a motion stops.
+macro_rules! keeps_its_energy {
+    ($mechanism:ident, $times:expr) => {{
+        let mechanism = $mechanism::default();
+        let first = mechanism.initial_state().expect("a start");
+        let total = |state: &_| mechanism.energy(state).kinetic + mechanism.energy(state).potential;
+        let (energy, mut size) = (total(&first), 0.0_f64);
+        size = size.max(mechanism.energy(&first).kinetic.abs()).max(10.0);
+        let off = |state: &_| (total(state) - energy).abs() / size;
+        for tolerance in tolerances() {
+            for state in mechanism.sweep($times, Integrator::new(tolerance)) {
+                match state {
+                    Ok(state) => assert!(off(&state) < 300.0 * tolerance, "{tolerance} {} {}", state.t, off(&state)),
+                    Err(stopped) => assert!(is_told(&stopped), "{tolerance} {stopped}"),
+                }
+            }
+            for t in $times {
+                let mut state = first.clone();
+                match mechanism.advance(&mut state, t, &mut Integrator::new(tolerance)) {
+                    Ok(()) => assert!(off(&state) < 300.0 * tolerance, "{tolerance} {t} {}", off(&state)),
+                    Err(stopped) => assert!(is_told(&stopped), "{tolerance} {stopped}"),
+                }
+                let mut state = first.clone();
+                match mechanism.advance(&mut state, t, &mut Integrator::stiff(tolerance.max(1e-8))) {
+                    Ok(()) => assert!(off(&state) < 300.0 * tolerance.max(1e-8), "stiff {tolerance} {t} {}", off(&state)),
+                    Err(stopped) => assert!(is_told(&stopped), "stiff {tolerance} {stopped}"),
+                }
+            }
+        }
+    }};
+}
+
+#[test]
+fn a_kite_keeps_its_energy_or_stops() {
+    keeps_its_energy!(Kite, [0.3, 0.33, 0.34, 0.4, 0.5, 0.6, 0.8]);
+}
+
+#[test]
+fn a_parallelogram_keeps_its_energy_or_stops() {
+    keeps_its_energy!(Parallelogram, [0.3, 0.4, 0.45, 0.5, 0.6]);
+}
+
+#[test]
+fn three_cranks_keep_their_energy_or_stop() {
+    keeps_its_energy!(ThreeCranks, [0.2, 0.34, 0.345, 0.348, 0.35, 0.36, 0.4]);
+}
