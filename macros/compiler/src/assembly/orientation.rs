@@ -58,9 +58,7 @@ impl Numeric<'_> {
     }
 
     fn orientation(&self, q: &[f64], body: usize) -> Option<Quaternion> {
-        let mut arena = self.system.arena.clone();
-        let cosines: Vec<Expr> = self.system.orientation(&mut arena, body).into_iter().map(|[value, _, _]| value).collect();
-        quaternion(&evaluate(&arena, &cosines, &Values { coordinates: q, ..self.known }))
+        quaternion(&evaluate(&self.system.arena, &self.system.cosines(body), &Values { coordinates: q, ..self.known }))
     }
 }
 

@@ -225,6 +225,12 @@ impl System {
         (0..COSINES).map(entry).collect()
     }
 
+    /// In space: the rotation matrix of a body, row by row.
+    pub(crate) fn cosines(&self, body: usize) -> Vec<Expr> {
+        let frame = self.arena.frame(self.frames[body]);
+        (0..COSINES).map(|k| frame.columns[k % 3][k / 3]).collect()
+    }
+
     /// The number of the speed that is the rate of each coordinate.
     pub(crate) fn rates(&self) -> Vec<Option<u32>> {
         rates(self.coordinates.len())
