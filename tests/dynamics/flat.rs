@@ -69,9 +69,9 @@ macro_rules! keeps_its_energy {
         let mechanism = $mechanism::default();
         let first = mechanism.initial_state().expect("a start");
         let total = |state: &_| mechanism.energy(state).kinetic + mechanism.energy(state).potential;
-        let (energy, mut size) = (total(&first), 0.0_f64);
-        size = size.max(mechanism.energy(&first).kinetic.abs()).max(10.0);
-        let off = |state: &_| (total(state) - energy).abs() / size;
+        // Relative to 10 J, about the work of gravity.
+        let energy = total(&first);
+        let off = |state: &_| (total(state) - energy).abs() / 10.0;
         for tolerance in tolerances() {
             for state in mechanism.sweep($times, Integrator::new(tolerance)) {
                 match state {

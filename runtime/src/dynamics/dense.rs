@@ -13,7 +13,7 @@ use super::partition::Pivots;
 use super::places::{picked, put};
 use super::project::{project, refresh};
 use super::rank::too_short;
-use super::step::{ROUNDING, is_near};
+use super::step::is_near;
 use super::stopped::Stopped;
 use super::tableau::Rates;
 use super::tableau::{DENSE, STAGES, dense, dense_node, dense_stage};
@@ -119,7 +119,7 @@ impl<T: Scalar, const N: usize, const I: usize> Dense<T, N, I> {
         let before = [q, qd];
         project(mechanism, known, (&mut q, &mut qd), t).map_err(|open| singular::<T, S, N, I, M, R>(t, open.row()))?;
         let mut state = State::new(t, q, qd, self.from.qdd);
-        if !is_near(mechanism, before.each_ref(), [&q, &qd], ((T::of(COARSER) * tolerance).max(T::of(ROUNDING) * T::EPSILON), fastest)) {
+        if !is_near(mechanism, before.each_ref(), [&q, &qd], (T::of(COARSER) * tolerance, fastest)) {
             return Err(too_short(mechanism, &state));
         }
         refresh(mechanism, &mut state)?;

@@ -38,11 +38,11 @@ where
 /// A step of fixed size may leave the equations by this part of the lengths and speeds.
 const COARSEST: f64 = 0.1;
 
-/// Times ε: how far a state may always be brought back, relative to lengths and speeds.
-pub(super) const ROUNDING: f64 = 1e4;
+/// Times ε: a tolerance is never stricter. A speed of so many rad/s or L/s counts as none.
+const STRICTEST: f64 = 1e4;
 
 /// Times ε, over the square of the smallest pivot: how far rounding moves speeds.
-const BY_ROUNDING: f64 = 10.0;
+const ROUNDING: f64 = 10.0;
 
 /// The state after a step, brought back to where the equations hold.
 ///
@@ -72,8 +72,8 @@ where
     let fastest = [&state.qd, &trial.end[1]].into_iter().fold(fastest, |fastest, speeds| fastest.max(speed(mechanism, speeds)));
     // Positions are rounded to ε / p, p the smallest pivot, and speeds to that over p.
     let pivot = reached.1.smallest(&lengths(mechanism), &natural_sizes(mechanism));
-    let allowed = tolerance.max(T::of(ROUNDING) * T::EPSILON).max(T::of(BY_ROUNDING) * T::EPSILON / (pivot * pivot));
-    if !is_near(mechanism, trial.end.each_ref(), [&q, &qd], (allowed, fastest.max(T::of(SLOW) / h.abs()))) {
+    let tolerance = tolerance.max(T::of(ROUNDING) * T::EPSILON / (pivot * pivot));
+    if !is_near(mechanism, trial.end.each_ref(), [&q, &qd], (tolerance, fastest)) {
         return Err(too_short(mechanism, &State::new(t, q, qd, state.qdd)));
     }
     is_regular(mechanism, t, &reached)?;
@@ -94,11 +94,12 @@ where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    let lengths = lengths(mechanism);
+    let (lengths, none) = (lengths(mechanism), T::of(STRICTEST) * T::EPSILON);
+    let tolerance = tolerance.max(none);
     let [q, u] = before.map(|vector| picked(vector, &S::INTEGRATED));
     let [q_there, u_there] = after.map(|vector| picked(vector, &S::INTEGRATED));
     let way = |one: &[T; I], other: &[T; I]| largest(&moved(other, T::of(-1.0), one), &lengths);
-    way(&q, &q_there) <= tolerance * largest(&q, &lengths).max(T::of(1.0)) && way(&u, &u_there) <= tolerance * fastest
+    way(&q, &q_there) <= tolerance * largest(&q, &lengths).max(T::of(1.0)) && way(&u, &u_there) <= none.max(tolerance * fastest)
 }
 
 /// The largest speed, in L/s and rad/s.

@@ -65,9 +65,9 @@ impl<T: Float, L: Linear<T, N>, const N: usize> NewtonStep<T, L, N> {
 
     /// Whether q + δ is the solution to rounding, with Φ_q at q as its Jacobian.
     ///
-    /// True if δ is shorter than ε², in rad and L: an unknown that is zero by symmetry has no rounding error to compare it with. True if Φ_q
-    /// does not change along δ, so that the next correction would be far shorter than this one; or if corrections have
-    /// stopped shrinking and δ may be a rounding error. At a double solution corrections are halved each time until then.
+    /// True if δ is at most ε² (rad, L), since an unknown that is zero by symmetry has no rounding error to compare it with; if Φ_q does
+    /// not change along δ, so that the next correction would be far shorter than this one; or if corrections have stopped shrinking and δ
+    /// may be a rounding error. At a double solution corrections are halved each time until then.
     pub(crate) fn has_settled(&self, history: &History<T>) -> bool {
         let change = history.curvature(self.length).map(|curvature| curvature * self.length);
         let is_stalled = || history.contraction(self.length).is_some_and(|theta| theta >= T::of(STALLED));

@@ -217,12 +217,9 @@ impl System {
     /// row by row; the rates of the first three are ω, their accelerations ω̇.
     pub(crate) fn orientation(&self, arena: &mut Arena, body: usize) -> Vec<[Expr; 3]> {
         let zero = arena.integer(0);
-        let frame = arena.frame(self.frames[body]);
-        let entry = |k: usize| {
-            let value = frame.columns[k % 3][k / 3];
-            if k < 3 { [value, frame.velocity[k], frame.acceleration[k]] } else { [value, zero, zero] }
-        };
-        (0..COSINES).map(entry).collect()
+        let (frame, cosines) = (arena.frame(self.frames[body]), self.cosines(body));
+        let entry = |(k, value): (usize, Expr)| if k < 3 { [value, frame.velocity[k], frame.acceleration[k]] } else { [value, zero, zero] };
+        cosines.into_iter().enumerate().map(entry).collect()
     }
 
     /// In space: the rotation matrix of a body, row by row.
@@ -279,11 +276,11 @@ impl System {
 pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
     has_bodies(model, diag)?;
     let mut arena = model.arena.clone();
-    let Choice { coordinates, mut rows, outputs, frames, reached, links, balance, loads, off_starts, further_angles } = match model.ambient
-    {
+    let choice = match model.ambient {
         Ambient::Plane => in_plane(model, &mut arena),
         Ambient::Space => forest::reduce(model, &mut arena, forest::FreeSpeeds::OfQuaternion),
     };
+    let Choice { coordinates, mut rows, outputs, frames, reached, links, balance, loads, off_starts, further_angles } = choice;
     rows::integrate(model, &mut arena, &coordinates, &mut rows, diag);
     rows::begin_at_start(model, &mut arena, &coordinates, &mut rows);
     let is_motion = model.task == Task::Motion;
