@@ -107,15 +107,6 @@ where
     Redundant { count: S::REDUNDANT, sizes: powers(&S::POWERS, length) }
 }
 
-/// The natural size of each row: a power of L.
-pub(super) fn natural_sizes<T, S, const N: usize, const I: usize, const M: usize, const R: usize, const K: usize>(mechanism: &S) -> [T; K]
-where
-    T: Scalar,
-    S: Dynamics<T, N, I, M, R>,
-{
-    powers(&S::POWERS, mechanism.characteristic_length())
-}
-
 /// `length` for coordinates in m, 1 for the others.
 fn where_lengths<T: Scalar, const I: usize>(is_length: &[bool; I], length: T) -> [T; I] {
     is_length.map(|is_length| if is_length { length } else { T::of(1.0) })

@@ -37,7 +37,7 @@ pub(super) struct Partition<T, const M: usize, const I: usize> {
 pub(super) struct Redundant<T, const M: usize> {
     /// How many rows follow from the others.
     pub(super) count: usize,
-    /// If there are any: the natural size of each row. A row may vanish on the way, so that its own size is no measure.
+    /// The natural size of each row, or 1 if there are none. A row may vanish on the way, so that its own size is no measure.
     pub(super) sizes: [T; M],
 }
 

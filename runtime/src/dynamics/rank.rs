@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::accelerate::{lengths, natural_sizes, redundant, singular};
+use super::accelerate::{lengths, redundant, singular};
 use super::equations::Dynamics;
 use super::method::Method;
 use super::partition::{Partition, has_other_signs, weakest};
@@ -93,12 +93,12 @@ where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    let lengths = lengths(mechanism);
-    if pivots.smallest(&lengths, &natural_sizes(mechanism)) > T::of(SUSPECT) {
+    let (lengths, redundant) = (lengths(mechanism), redundant(mechanism));
+    if pivots.smallest(&lengths, &redundant.sizes) > T::of(SUSPECT) {
         return Ok(());
     }
     let assembled = mechanism.constraints(&mechanism.start(), t).jacobian;
-    let (row, left) = weakest(jacobian, &assembled, &lengths, &redundant(mechanism));
+    let (row, left) = weakest(jacobian, &assembled, &lengths, &redundant);
     if left > T::of(FLAT) * T::ROOT_EPSILON { Ok(()) } else { Err(singular::<T, S, N, I, M, R>(t, row)) }
 }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::accelerate::{lengths, natural_sizes, singular};
+use super::accelerate::{lengths, redundant, singular};
 use super::checks::holds;
 use super::equations::Dynamics;
 use super::explicit::Explicit;
@@ -71,7 +71,7 @@ where
     holds::<T, S, N, I, M, R>(mechanism, &q, t)?;
     let fastest = [&state.qd, &trial.end[1]].into_iter().fold(fastest, |fastest, speeds| fastest.max(speed(mechanism, speeds)));
     // Positions are rounded to ε / p, p the smallest pivot, and speeds to that over p.
-    let pivot = reached.1.smallest(&lengths(mechanism), &natural_sizes(mechanism));
+    let pivot = reached.1.smallest(&lengths(mechanism), &redundant(mechanism).sizes);
     let tolerance = tolerance.max(T::of(ROUNDING) * T::EPSILON / (pivot * pivot));
     if !is_near(mechanism, trial.end.each_ref(), [&q, &qd], (tolerance, fastest)) {
         return Err(too_short(mechanism, &State::new(t, q, qd, state.qdd)));
