@@ -8,6 +8,7 @@ use crate::linear::Echelon;
 use crate::linear::dense::cholesky;
 use crate::model::{Function, Model};
 use crate::quantity::{Dim, Role};
+use crate::structure::SMALL;
 
 /// Coordinates of which the equations leave more than this share open are pinned first.
 const CLEARLY: f64 = 0.1;
@@ -24,6 +25,9 @@ const HALVINGS: usize = 20;
 /// The equations hold if no row, divided by its largest derivative, exceeds this, in m or rad.
 const HOLDS: f64 = 1e-12;
 
+/// Largest changes of the angles and of the components of quaternions that lead to configurations beside the declared start.
+const SWAYS: [f64; 6] = [0.1, 0.2, 0.3, 0.5, 0.7, 1.0];
+
 /// Added to the diagonal of Φ_q Φ_qᵀ, since rows may depend on each other.
 const DAMPING: f64 = 1e-13;
 
@@ -33,10 +37,10 @@ pub(super) fn pins(model: &Model, arena: &mut Arena, coordinates: &[Coordinate],
     let joint = model.joints.len() - 1;
     let first = model.joints[joint].residuals.len();
     let row = |(number, unknown): (usize, usize)| {
-        let (role, declared) = (coordinates[unknown].role, coordinates[unknown].start);
+        let role = coordinates[unknown].role;
         let leaf = arena.leaf(Leaf::Coordinate(unknown as u32));
-        let nearby = || Exact::binary(start[unknown]).filter(|_| !is_declared(model, &coordinates[unknown]));
-        let held = declared.or_else(|| nearby().map(|value| arena.constant(value)));
+        let nearby = Exact::binary(start[unknown]).filter(|_| !is_declared(model, &coordinates[unknown]));
+        let held = nearby.map(|value| arena.constant(value)).or(coordinates[unknown].start);
         let residual = held.map_or(leaf, |held| arena.sub(leaf, held));
         let dim = match role {
             Role::Position(_) | Role::Displacement => Dim::LENGTH,
@@ -48,12 +52,16 @@ pub(super) fn pins(model: &Model, arena: &mut Arena, coordinates: &[Coordinate],
     open.into_iter().enumerate().map(row).collect()
 }
 
-/// True if a start value of a coordinate is declared. The angle of a body in space of which the orientation is declared has one, even if it
-/// is 0.
+/// True if a start value of a coordinate is declared. In space an angle or a component of a quaternion has one, even if it is 0, where the
+/// orientation of the body is declared.
 fn is_declared(model: &Model, coordinate: &Coordinate) -> bool {
     let declared = &model.bodies[coordinate.body].coordinates;
     let is_turned = || declared.iter().any(|one| matches!(one.role, Role::Quaternion(_)) && one.start.is_some());
-    coordinate.start.is_some() || coordinate.role == Role::Angle && is_turned()
+    match coordinate.role {
+        Role::Quaternion(_) => is_turned(),
+        Role::Angle => coordinate.start.is_some() || is_turned(),
+        Role::Position(_) | Role::Displacement => coordinate.start.is_some(),
+    }
 }
 
 /// A configuration near the declared start, and the unknowns that Φ_q leaves open there.
@@ -68,13 +76,31 @@ fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], equations: &[E
     let known = Values { parameters: &parameters, ..nothing };
     let start = |coordinate: &Coordinate| coordinate.start.and_then(|start| evaluate(arena, &[start], &known).pop()).unwrap_or(0.0);
     let declared: Vec<f64> = coordinates.iter().map(start).collect();
-    let mut rows = PositionRows::new(arena, &known, equations, coordinates.len());
     let is_declared: Vec<bool> = coordinates.iter().map(|coordinate| is_declared(model, coordinate)).collect();
+    let mut rows = PositionRows::new(arena, &known, equations, coordinates.len());
     let open = rows.open(&declared, &is_declared);
+    let held: Vec<usize> = open.iter().copied().filter(|unknown| is_declared[*unknown]).collect();
+    let swayed = |attempt: usize| {
+        let change = |(unknown, value): (usize, &f64)| match coordinates[unknown].role {
+            Role::Angle | Role::Quaternion(_) if !is_declared[unknown] => value + sway(unknown, attempt),
+            _ => *value,
+        };
+        declared.iter().enumerate().map(change).collect::<Vec<f64>>()
+    };
+    // Equations that depend on each other at the declared start alone leave fewer unknowns open beside it.
+    let may_leave_fewer = rows.shape[0] + open.len() > declared.len() && declared.len() <= SMALL;
+    let fewer = |(attempt, held): (usize, &[usize])| {
+        let closed = rows.closed_near(&swayed(attempt), held)?;
+        let there = rows.open(&closed, &is_declared);
+        (there.len() < open.len()).then_some((closed, there))
+    };
+    let attempts = [held.as_slice(), &[]].into_iter().flat_map(|held| (0..=SWAYS.len()).map(move |attempt| (attempt, held)));
+    if let Some(found) = attempts.filter(|_| may_leave_fewer).find_map(fewer) {
+        return found;
+    }
     if rows.closed_near(&declared, &open).is_some() {
         return (declared, open);
     }
-    let held: Vec<usize> = open.iter().copied().filter(|unknown| is_declared[*unknown]).collect();
     match rows.closed_near(&declared, &held) {
         // Declared values are kept, whether the others fit them or not.
         Some(closed) if held.is_empty() => {
@@ -84,6 +110,13 @@ fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], equations: &[E
         Some(closed) => (closed, open),
         None => (declared, open),
     }
+}
+
+/// Change of an unknown in an attempt; none in the first.
+fn sway(unknown: usize, attempt: usize) -> f64 {
+    // Multiples of the golden section modulo 1 are unrelated.
+    let share = 2.0 * ((unknown * SWAYS.len() + attempt) as f64 * 0.618_033_988_749_895).fract() - 1.0;
+    attempt.checked_sub(1).map_or(0.0, |one| SWAYS[one] * share)
 }
 
 /// Equations of positions, at the defaults and t = 0.
