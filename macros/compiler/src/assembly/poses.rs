@@ -6,9 +6,9 @@
 use super::Assembly;
 use crate::expr::{Arena, Evaluator, Expr, Values, evaluate};
 use crate::linear::dense::solve;
-use crate::model::Model;
+use crate::model::{Model, tabulated};
+use crate::numeric::Numeric;
 use crate::numeric::least_squares;
-use crate::numeric::{Numeric, call};
 use crate::system::System;
 
 /// Distances of the poses from the start, as travel of the fastest coordinate, in rad or characteristic lengths.
@@ -37,7 +37,7 @@ struct ClosedPose {
 impl<'a> Poses<'a> {
     /// The start, and poses on the motion close to it.
     pub(crate) fn new(model: &'a Model, system: &System, assembly: &Assembly) -> Poses<'a> {
-        let functions = |number: u32, x: f64| call(model, number, x);
+        let functions = |number: u32, x: f64| tabulated(&model.functions, number, x);
         let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
         let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
         let parameters = evaluate(&system.arena, &defaults, &nothing);
@@ -66,7 +66,7 @@ impl<'a> Poses<'a> {
 
     /// Values of some expressions at each pose.
     pub(crate) fn values(&self, arena: &Arena, exprs: &[Expr]) -> Vec<Vec<f64>> {
-        let functions = |number: u32, x: f64| call(self.model, number, x);
+        let functions = |number: u32, x: f64| tabulated(&self.model.functions, number, x);
         let mut evaluator = Evaluator::new(arena, exprs);
         let values = |pose: &ClosedPose| {
             let mut found = vec![f64::NAN; exprs.len()];

@@ -4,6 +4,7 @@ use std::collections::{BTreeSet, HashMap};
 
 use super::frame::Frames;
 use super::precise::ConstantValue;
+use super::reached::Reached;
 use super::{Binary, Exact, Expr, Leaf, Node, RULES, Unary};
 
 /// A hash-consed store of simplified expressions.
@@ -242,17 +243,17 @@ impl Arena {
 
     /// Like [`Arena::reachable_until`], but does not descend below nodes that are `whole`.
     pub(crate) fn reachable_down_to(&self, roots: &[Expr], known: impl Fn(Expr) -> bool, whole: impl Fn(Expr) -> bool) -> Vec<Expr> {
-        // The largest pending index has no parent left to visit, hence each node comes out once.
-        let mut pending: BTreeSet<Expr> = roots.iter().copied().filter(|&e| !known(e)).collect();
-        let mut found = Vec::new();
-        while let Some(expr) = pending.pop_last() {
-            found.push(expr);
+        let mut reached = Reached::new(self.nodes.len());
+        let mut found: Vec<Expr> = roots.iter().copied().filter(|root| !known(*root) && reached.takes(*root)).collect();
+        let mut next = 0;
+        while let Some(expr) = found.get(next).copied() {
+            next += 1;
             if !whole(expr) {
-                pending.extend(self.node(expr).children().filter(|&e| !known(e)));
+                found.extend(self.node(expr).children().filter(|child| !known(*child) && reached.takes(*child)));
             }
         }
-        found.reverse();
-        found
+        // Children have smaller indices than their parents.
+        reached.in_order(found.len())
     }
 
     /// The leaves that an expression depends on.

@@ -22,6 +22,7 @@ mod gather;
 mod jet;
 mod node;
 mod precise;
+mod reached;
 mod show;
 mod simplify;
 pub mod spline;

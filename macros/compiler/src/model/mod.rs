@@ -328,6 +328,15 @@ pub enum Function {
     Table(Table),
 }
 
+/// Value and derivatives of the function with a number. Tables are evaluated; Rust functions are unknown to the compiler and return NaN, so
+/// that their rows are left out.
+pub(crate) fn tabulated(functions: &[Function], number: u32, x: f64) -> [f64; 3] {
+    match functions.get(number as usize) {
+        Some(Function::Table(table)) => table.evaluate(x),
+        _ => [f64::NAN; 3],
+    }
+}
+
 /// A condition on parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Requirement {

@@ -18,7 +18,7 @@ pub(crate) mod search;
 pub(crate) mod turns;
 
 use crate::expr::{Evaluator, Expr, Node, Values, evaluate};
-use crate::model::{Function, Model};
+use crate::model::{Function, Model, tabulated};
 use crate::system::{Equation, System};
 use least_squares::Problem;
 use std::cell::{Cell, OnceCell};
@@ -44,7 +44,7 @@ pub(crate) struct Numeric<'a> {
 
 /// Runs `work` on the system at the declared defaults.
 pub(crate) fn at_defaults<R>(model: &Model, system: &System, work: impl FnOnce(&Numeric) -> R) -> R {
-    let functions = |number: u32, x: f64| call(model, number, x);
+    let functions = |number: u32, x: f64| tabulated(&model.functions, number, x);
     let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
     let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
     let parameters = evaluate(&system.arena, &defaults, &nothing);
@@ -158,13 +158,4 @@ pub(crate) fn size(system: &System, known: &Values) -> f64 {
     let lengths = evaluate(&system.arena, &system.lengths, known);
     let longest = lengths.into_iter().filter(|length| length.is_finite()).fold(0.0, |longest: f64, length| longest.max(length.abs()));
     if longest > 0.0 { longest } else { 1.0 }
-}
-
-/// Value and derivatives of a function. Tables are evaluated; Rust functions are unknown to the compiler and return NaN, so that their rows
-/// are left out.
-pub(crate) fn call(model: &Model, number: u32, x: f64) -> [f64; 3] {
-    match model.functions.get(number as usize) {
-        Some(Function::Table(table)) => table.evaluate(x),
-        _ => [f64::NAN; 3],
-    }
 }

@@ -3,17 +3,14 @@
 use super::pose::Instant;
 use crate::expr::{Evaluator, Expr, Values, evaluate};
 use crate::model::sketch::{Instantiation, JointArgument, LocalVector};
-use crate::model::{Function, Model};
+use crate::model::{Model, tabulated};
 use crate::quantity::{Axis, Dim, Role};
 use crate::system::{COSINES, System, cosine};
 use reuleaux_picture::{Joint, Pose, Scene, Vector};
 
 /// The mechanism at one instant.
 pub(super) fn scene(model: &Model, system: &System, instant: &Instant) -> Scene {
-    let functions = |number: u32, x: f64| match model.functions.get(number as usize) {
-        Some(Function::Table(table)) => table.evaluate(x),
-        _ => [f64::NAN; 3],
-    };
+    let functions = |number: u32, x: f64| tabulated(&model.functions, number, x);
     let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
     let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
     let parameters = evaluate(&model.arena, &defaults, &nothing);

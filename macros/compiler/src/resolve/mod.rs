@@ -34,5 +34,5 @@ pub(crate) use whole::{Outline, outline, resolve};
 
 use crate::model::{
     Body, BodyCoordinate, Bounds, Component, Components, DeclaredForce, Field, Force, Freedom, Function, Joint, Layout, Mass, Method,
-    Model, Name, Of, Output, Parameter, Part, Requirement, Residual, Times,
+    Model, Name, Of, Output, Parameter, Part, Requirement, Residual, Times, tabulated,
 };

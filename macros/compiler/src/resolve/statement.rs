@@ -1,7 +1,7 @@
 //! The statements of a definition or of an inline joint: equations, and conditions on parameters.
 
 use super::elaborate::Elaborator;
-use super::{Name, Parameter, Requirement};
+use super::{Name, Parameter, Requirement, tabulated};
 use crate::diag::{EquationFact, Fact, Range, ValueFact};
 use crate::expr::{Expr, Node, Unary, Values, evaluate};
 use crate::hints::argument_of;
@@ -214,7 +214,11 @@ impl Elaborator<'_> {
         }
         let defaults: Vec<_> = parameters.iter().map(|parameter| parameter.default).collect();
         let defaults = self.numbers(&[], &defaults);
-        for FixedValue { expr, item, range, noun, place } in std::mem::take(&mut self.fixed_values) {
+        let fixed = std::mem::take(&mut self.fixed_values);
+        if self.are_finite(&fixed.iter().map(|value| value.expr).collect::<Vec<_>>(), &defaults) {
+            return;
+        }
+        for FixedValue { expr, item, range, noun, place } in fixed {
             if !self.is_finite(expr, &defaults) {
                 self.at(place, |this| this.once(item, |this| this.refuse::<()>(range, ValueFact::NotFinite { place: noun })));
             }
@@ -224,30 +228,22 @@ impl Elaborator<'_> {
     /// True if an expression of parameters alone has a finite value, as far as the compiler can evaluate it. The tangent of a right
     /// angle is not finite, although no binary number is a right angle.
     pub(super) fn is_finite(&self, expr: Expr, parameters: &[f64]) -> bool {
-        if self.arena.as_constant(expr).is_some() {
-            return true;
-        }
-        let mut roots = vec![expr];
-        for under in self.arena.reachable(&[expr]) {
-            match *self.arena.node(under) {
-                Node::Call { function, .. } if matches!(self.functions.get(function as usize), Some(super::Function::Rust(_))) => {
-                    return true;
-                }
-                Node::Unary(Unary::Tan, angle) => roots.push(angle),
-                _ => {}
-            }
-        }
-        let values = self.numbers(parameters, &roots);
+        let is_rust = |function: u32| matches!(self.functions.get(function as usize), Some(super::Function::Rust(_)));
+        let calls_rust = |under: Expr| matches!(*self.arena.node(under), Node::Call { function, .. } if is_rust(function));
+        self.arena.reachable(&[expr]).into_iter().any(calls_rust) || self.are_finite(&[expr], parameters)
+    }
+
+    /// True if all expressions of parameters alone have finite values that the compiler can evaluate.
+    fn are_finite(&self, exprs: &[Expr], parameters: &[f64]) -> bool {
+        let angle = |under: Expr| if let Node::Unary(Unary::Tan, angle) = *self.arena.node(under) { Some(angle) } else { None };
+        let angles: Vec<Expr> = self.arena.reachable(exprs).into_iter().filter_map(angle).collect();
         let is_right = |angle: &f64| libm::cos(*angle).abs() < RIGHT * angle.abs().max(1.0);
-        values[0].is_finite() && !values[1..].iter().any(is_right)
+        self.numbers(parameters, exprs).iter().all(|value| value.is_finite()) && !self.numbers(parameters, &angles).iter().any(is_right)
     }
 
     /// Evaluates expressions of parameters alone.
     pub(super) fn numbers(&self, parameters: &[f64], roots: &[crate::expr::Expr]) -> Vec<f64> {
-        let functions = |number: u32, x: f64| match self.functions.get(number as usize) {
-            Some(super::Function::Table(table)) => table.evaluate(x),
-            _ => [f64::NAN; 3],
-        };
+        let functions = |number: u32, x: f64| tabulated(&self.functions, number, x);
         let values = Values { time: 0.0, parameters, coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
         evaluate(&self.arena, roots, &values)
     }

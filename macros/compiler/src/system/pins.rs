@@ -6,7 +6,7 @@ use super::{Coordinate, Equation};
 use crate::expr::{Arena, Evaluator, Exact, Expr, Leaf, Values, evaluate};
 use crate::linear::Echelon;
 use crate::linear::dense::cholesky;
-use crate::model::{Function, Model};
+use crate::model::{Model, tabulated};
 use crate::quantity::{Dim, Role};
 use crate::structure::SMALL;
 
@@ -66,10 +66,7 @@ fn is_declared(model: &Model, coordinate: &Coordinate) -> bool {
 
 /// A configuration near the declared start, and the unknowns that Φ_q leaves open there.
 fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], equations: &[Equation]) -> (Vec<f64>, Vec<usize>) {
-    let functions = |number: u32, x: f64| match model.functions.get(number as usize) {
-        Some(Function::Table(table)) => table.evaluate(x),
-        _ => [f64::NAN; 3],
-    };
+    let functions = |number: u32, x: f64| tabulated(&model.functions, number, x);
     let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
     let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
     let parameters = evaluate(arena, &defaults, &nothing);
