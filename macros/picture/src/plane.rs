@@ -140,9 +140,15 @@ impl Rectangle {
 
     /// True if part of a segment lies inside (Liang and Barsky's clipping).
     pub(crate) fn is_crossed(self, a: Place, b: Place) -> bool {
+        // Most segments lie on one side.
+        let (low, high) = (self.low, self.high);
+        if (a.x < low.x && b.x < low.x) || (a.x > high.x && b.x > high.x) || (a.y < low.y && b.y < low.y) || (a.y > high.y && b.y > high.y)
+        {
+            return false;
+        }
         let way = b - a;
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
-        let sides = [(-way.x, a.x - self.low.x), (way.x, self.high.x - a.x), (-way.y, a.y - self.low.y), (way.y, self.high.y - a.y)];
+        let sides = [(-way.x, a.x - low.x), (way.x, high.x - a.x), (-way.y, a.y - low.y), (way.y, high.y - a.y)];
         for (slope, room) in sides {
             if slope == 0.0 {
                 if room < 0.0 {
