@@ -153,6 +153,41 @@ fn a_free_body_keeps_its_angular_momentum() {
     assert!((state.body().rotation.determinant() - 1.0).abs() < 1e-14);
 }
 
+mechanism! {
+    /// A loop of two cranks about skew axes, and a rod on two balls that spins. Undeclared, the rod lies along the axis of its spin.
+    mechanism SpinningRod in space {
+        gravity = (0, 0, -9.81m_s2);
+        ground { axis x = (1, 0, 0);  axis y = (0, 1, 0);  point C = (500mm, 100mm, 20mm); }
+        body crank { axis y = (0, 1, 0);  point A = (0mm, 0mm, 100mm);  mass = 1kg;  inertia = (0.001kgm2, 0.001kgm2, 0.001kgm2); }
+        body rod {
+            axis l = (1, 0, 0);  point B = (550mm, 0mm, 0mm);
+            mass = 0.5kg;  center = (275mm, 0mm, 0mm);  inertia = (0.0002kgm2, 0.008kgm2, 0.008kgm2);
+        }
+        body rocker { axis x = (1, 0, 0);  point B = (0mm, 0mm, 250mm);  mass = 1kg;  inertia = (0.005kgm2, 0.005kgm2, 0.0004kgm2); }
+        joint o = revolute(ground.position, ground.y, crank.position, crank.y);
+        joint c = revolute(ground.C, ground.x, rocker.position, rocker.x);
+        joint a = spherical(crank.A, rod.position);
+        joint b = spherical(rod.B, rocker.B);
+        freedom swing = o.angle;
+        freedom spin = dot(rod.angular_velocity, z_axis(rod.l)) from 30rad_s;
+        output spin_of_rod = dot(rod.angular_velocity, z_axis(rod.l));
+    }
+}
+
+/// No force at a ball turns a rod about the line between both: its spin is constant where the rod is alike all around.
+#[test]
+fn a_rod_on_two_balls_keeps_its_spin() {
+    for tolerance in [1e-6, 1e-9, 1e-12] {
+        let mechanism = SpinningRod::default();
+        let mut state = mechanism.initial_state().expect("a state");
+        let start = total(mechanism.energy(&state));
+        mechanism.advance(&mut state, 1.0, &mut Integrator::new(tolerance)).expect("a motion");
+        let spin = mechanism.spin_of_rod(&state).value / 30.0 - 1.0;
+        let drift = total(mechanism.energy(&state)) - start;
+        assert!(spin.abs() < 100.0 * tolerance && drift.abs() < 100.0 * tolerance, "{tolerance:e}: {spin:e} {drift:e}");
+    }
+}
+
 fn nalgebra(parts: &[f64; 3]) -> reuleaux::nalgebra::Vector3<f64> {
     reuleaux::nalgebra::Vector3::from(*parts)
 }
