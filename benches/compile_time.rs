@@ -72,7 +72,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     print!("{}", table(&names, &columns));
     println!();
     let mut wrong = Vec::new();
-    let row = |name: &str| names.iter().position(|other| *other == name).unwrap_or(0);
+    let row = |name: &str| names.iter().position(|other| *other == name).expect("a row");
     let four_bars = |number: usize| row(&format!("a chain of {number} four-bars"));
     let shared = growth(&columns, four_bars(LONG[0]), four_bars(LONG[LONG.len() - 1]));
     println!("Of a release build what is not `check` grows {shared:.1} times over {LONG:?} four-bars (at most {SHARED} wanted).");

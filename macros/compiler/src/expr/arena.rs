@@ -243,7 +243,8 @@ impl Arena {
 
     /// Like [`Arena::reachable_until`], but does not descend below nodes that are `whole`.
     pub(crate) fn reachable_down_to(&self, roots: &[Expr], known: impl Fn(Expr) -> bool, whole: impl Fn(Expr) -> bool) -> Vec<Expr> {
-        let mut reached = Reached::new(self.nodes.len());
+        // Children have smaller indices than their parents.
+        let mut reached = Reached::new(roots.iter().map(|root| root.index() + 1).max().unwrap_or(0));
         let mut found: Vec<Expr> = roots.iter().copied().filter(|root| !known(*root) && reached.takes(*root)).collect();
         let mut next = 0;
         while let Some(expr) = found.get(next).copied() {
@@ -252,7 +253,6 @@ impl Arena {
                 found.extend(self.node(expr).children().filter(|child| !known(*child) && reached.takes(*child)));
             }
         }
-        // Children have smaller indices than their parents.
         reached.in_order(found.len())
     }
 

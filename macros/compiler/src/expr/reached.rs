@@ -5,16 +5,16 @@ use super::Expr;
 /// Bits of a word.
 const WORD: usize = u64::BITS as usize;
 
-/// A set of nodes: a bit for each, and a bit for each word that is not zero. An ordered tree would cost several times as much.
+/// A set of nodes: a bit for each, and a bit for each word that is not zero.
 pub(super) struct Reached {
     nodes: Vec<u64>,
     words: Vec<u64>,
 }
 
 impl Reached {
-    /// The empty set of nodes of an arena with so many.
-    pub(super) fn new(nodes: usize) -> Reached {
-        let words = nodes.div_ceil(WORD);
+    /// An empty set for nodes with indices below `end`.
+    pub(super) fn new(end: usize) -> Reached {
+        let words = end.div_ceil(WORD);
         Reached { nodes: vec![0; words], words: vec![0; words.div_ceil(WORD)] }
     }
 
