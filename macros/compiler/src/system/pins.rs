@@ -105,7 +105,11 @@ fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], equations: &[E
             (closed, open)
         }
         Some(closed) => (closed, open),
-        None => (declared, open),
+        // It does not close, as is said later of its joints; until then its freedoms are counted beside the start.
+        None => {
+            let beside = may_leave_fewer.then(|| rows.open(&swayed(1), &is_declared));
+            (declared, beside.filter(|beside| beside.len() < open.len()).unwrap_or(open))
+        }
     }
 }
 

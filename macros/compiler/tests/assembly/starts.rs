@@ -453,6 +453,11 @@ fn rows_that_depend_on_each_other_at_the_declared_start_alone_open_no_coordinate
         assert!((length - 0.55).abs() < 1e-12, "{length} with {rest}");
         assert!(wanted.is_none_or(|angle: f64| (crank - angle.to_radians()).abs() < 1e-12), "{crank} with {rest}");
     }
+    // Too short a rod is no freedom too many.
+    match refused(&source("freedom s = o.angle;").replace("550mm", "150mm")) {
+        Fact::Assembly(AssemblyFact::StaysOpen { joint, .. }) => assert_eq!(joint, "b"),
+        other => panic!("{other}"),
+    }
 }
 
 /// The angle of the steered wheel is not shared between the wheel and the car.
