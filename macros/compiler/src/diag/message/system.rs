@@ -172,7 +172,10 @@ impl Display for SystemFact {
                     _ if joints.is_empty() => write!(f, "\nnote: they determine {}", list(coordinates))?,
                     _ => {}
                 }
-                write!(f, "\nhelp: nothing else may determine a freedom: take {} away", list(declared_free))?;
+                match declared_free.len() == drives.len() {
+                    true => write!(f, "\nhelp: take one of them away")?,
+                    false => write!(f, "\nhelp: nothing else may determine a freedom: take {} away", list(declared_free))?,
+                }
                 if free.is_empty() { Ok(()) } else { write!(f, ", or declare {}", list(free)) }
             }
             SystemFact::DrivesContend { drives, freedoms, joints, coordinates, free, in_space, .. } => {
