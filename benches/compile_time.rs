@@ -60,6 +60,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut columns = Vec::new();
     for (name, profile, command) in COLUMNS {
         let package = Package::new(profile)?;
+        package.seconds("", 0, command)?;
         let mut column = Vec::new();
         for (words, source) in &crates {
             column.push(package.median(source, command, runs)?);
@@ -143,7 +144,7 @@ impl Package {
         Ok(Package { folder })
     }
 
-    /// Seconds that `cargo` takes for the crate with this source; dependencies are built before.
+    /// Seconds that `cargo` takes for the crate with this source, the median of several runs.
     fn median(&self, source: &str, arguments: &[&str], runs: usize) -> Result<f64, Box<dyn Error>> {
         let first = self.seconds(source, 0, arguments)?;
         if first > PATIENCE {
@@ -154,6 +155,7 @@ impl Package {
         Ok(seconds[seconds.len() / 2])
     }
 
+    /// Seconds that `cargo` takes once; the first time it builds the dependencies too.
     fn seconds(&self, source: &str, run: usize, arguments: &[&str]) -> Result<f64, Box<dyn Error>> {
         // The comment makes cargo see another crate each time.
         fs::write(self.folder.join("src/lib.rs"), format!("{source}// run {run}\n"))?;
