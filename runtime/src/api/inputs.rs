@@ -4,7 +4,7 @@ use crate::explain::{Failure, verdict};
 use crate::names::{Cause, ParameterOutOfRange};
 use crate::number::Float;
 use crate::path::{self, Unassembled};
-use crate::solve::{Commanded, Stages};
+use crate::solve::{Commanded, Followed, Stages};
 use crate::state::State;
 
 /// The state at `t` (s) with these inputs: assembled at t = 0 with those of the start, and followed from there.
@@ -79,7 +79,7 @@ fn by_steps<T: Float, E: Commanded<T> + Stages<T, N>, const N: usize>(
     mechanism.with(to).validate().map_err(|parameter| refused::<T, E, N>(parameter, t, Some(state.clone())))?;
     let (time, first) = (state.t, state.clone());
     path::lead(mechanism, state, t, [from, to]).map_err(|(way, ended)| {
-        let mut failure = verdict::of_continuation(&way, &first, t, ended);
+        let mut failure = verdict::of_continuation(&Followed::new(&&way), &first, t, ended);
         if way.stands_still() {
             failure.time = t;
             if let Some(last) = &mut failure.last {

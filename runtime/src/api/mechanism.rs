@@ -10,7 +10,7 @@ use crate::explain::{Failure, verdict};
 use crate::names::Cause;
 use crate::number::{Float, Times};
 use crate::path::{self, Unassembled};
-use crate::solve::{Family, Stages};
+use crate::solve::{Family, Followed, Stages};
 use crate::state::{HasState, State};
 
 /// A mechanism with as many equations as coordinates, which can be solved. Everything with [`Stages`] is one.
@@ -72,7 +72,7 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
         if path::step(self, state, t) {
             return Ok(());
         }
-        path::advance_by_steps(self, state, t).map_err(|ended| verdict::of_continuation(self, state, t, ended))
+        by_steps(self, state, t)
     }
 
     /// Takes a state of this mechanism to time `t` (s) by one warm step: whether that was enough. If not, the state is unchanged.
@@ -289,3 +289,13 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
 }
 
 impl<T: Float, const N: usize, E: Stages<T, N> + ?Sized> Mechanism<T, N> for E {}
+
+/// Takes a state to time `t` (s) where one warm step does not.
+///
+/// # Errors
+/// Any [`Cause`].
+#[cold]
+#[inline(never)]
+fn by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(mechanism: &E, state: &mut State<T, N>, t: T) -> Result<(), Failure<T, N>> {
+    path::advance_by_steps(mechanism, state, t).map_err(|ended| verdict::of_continuation(&Followed::new(&mechanism), state, t, ended))
+}

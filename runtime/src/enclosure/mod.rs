@@ -95,7 +95,7 @@ where
     mechanism.validate().map_err(|parameter| Doubt::ParameterOutOfRange(parameter.name))?;
     // Rates are those of values: the values of inputs move.
     let enclosed = E::gather([mechanism], |[parameter]| Enclosure::of(parameter.to_f64())).later(Enclosure::time(0.0));
-    let (q, lengths, coordinates) = (state.q.map(Scalar::to_f64), lengths_of(&enclosed), E::COORDINATES);
+    let (q, lengths, coordinates) = (state.q.map(Scalar::to_f64), lengths_of(enclosed.characteristic_length()), E::COORDINATES);
     let solver = EnclosureSolver { q, alone, lengths, coordinates, doubt: Cell::new(None), off: Cell::new(None) };
     let coordinate = |index: usize| names::coordinate(E::COORDINATES, index);
     let found = enclosed.stages(Enclosure::time(state.t.to_f64()), &mut Solver::cold(&solver)).map_err(|error| {

@@ -1,10 +1,10 @@
 //! Diagnosis of a continuation that ended early. In: how it ended. Out: a [`Failure`].
 
 use crate::names::{self, Cause, CoordinateKind};
-use crate::newton::{Scale, StepError};
+use crate::newton::{StepError, length_of};
 use crate::number::Float;
 use crate::path::{self, Ended};
-use crate::solve::{ColdSolver, Stages};
+use crate::solve::{ColdSolver, Followed};
 use crate::state::State;
 
 use super::Failure;
@@ -20,8 +20,8 @@ const FAR: f64 = 100.0;
 
 /// The failure of a continuation to time `t` (s), which left `state` unchanged.
 #[cold]
-pub(crate) fn of_continuation<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
-    equations: &E,
+pub(crate) fn of_continuation<T: Float, const N: usize>(
+    mechanism: &Followed<'_, T, N>,
     state: &State<T, N>,
     t: T,
     ended: Ended<T, N>,
@@ -29,35 +29,30 @@ pub(crate) fn of_continuation<T: Float, E: Stages<T, N> + ?Sized, const N: usize
     let (cause, time, last) = match ended {
         Ended::Refused(cause) => (cause, t, state.clone()),
         Ended::Lost { error, here, next } => {
-            let ended = || (end_of_branch(equations, next, &here, error), next);
-            let (cause, time) = diverging(equations, &here, next).unwrap_or_else(ended);
+            let ended = || (end_of_branch(mechanism, next, &here, error), next);
+            let (cause, time) = diverging(mechanism, &here, next).unwrap_or_else(ended);
             (cause, time, here)
         }
         Ended::TooManySteps { steps, here } => {
-            let (cause, time) = diverging(equations, &here, t).unwrap_or((Cause::TooManySteps { steps }, t));
+            let (cause, time) = diverging(mechanism, &here, t).unwrap_or((Cause::TooManySteps { steps }, t));
             (cause, time, here)
         }
     };
-    Failure { mechanism: E::NAME, cause, time, end: None, last: Some(last) }
+    Failure { mechanism: mechanism.name, cause, time, end: None, last: Some(last) }
 }
 
 /// Why the branch could not be followed from `here` to `next`.
-fn end_of_branch<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
-    equations: &E,
-    next: T,
-    here: &State<T, N>,
-    error: StepError<T>,
-) -> Cause<T> {
+fn end_of_branch<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, next: T, here: &State<T, N>, error: StepError<T>) -> Cause<T> {
     if let StepError::NotFinite(of) = error {
         return Cause::NotFinite { of };
     }
     if is_dead_point(here)
-        && let Some(cause) = path::inspect(equations, here.t, &here.q)
+        && let Some(cause) = path::inspect(mechanism, here.t, &here.q)
     {
         return cause;
     }
-    match path::cold_state(equations, next, ColdSolver::from_guess(equations, &here.predict(next))) {
-        Ok((other, _)) => path::jump(equations, &here.q, &other.q),
+    match path::cold_state(mechanism, next, ColdSolver::from_guess(mechanism, &here.predict(next))) {
+        Ok((other, _)) => path::jump(mechanism, &here.q, &other.q),
         Err(error) => error.into(),
     }
 }
@@ -69,13 +64,18 @@ fn end_of_branch<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
 /// ```
 ///
 /// * `next`: given, s, a moment after `here`.
-fn diverging<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, here: &State<T, N>, next: T) -> Option<(Cause<T>, T)> {
-    let scale = Scale::of(equations);
-    let named = |i: usize| names::coordinate(E::COORDINATES, i);
-    let all = here.q.iter().zip(here.qd.iter()).enumerate().map(|(i, (&place, &rate))| (named(i), place, rate));
-    let lengths = all.filter(|(coordinate, ..)| coordinate.kind == CoordinateKind::Length);
-    let (coordinate, value, rate) = lengths.reduce(|best, next| if next.1.abs() > best.1.abs() { next } else { best })?;
+fn diverging<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &State<T, N>, next: T) -> Option<(Cause<T>, T)> {
+    let mut longest: Option<(usize, T)> = None;
+    for (i, place) in here.q.iter().enumerate() {
+        let is_length = names::coordinate(mechanism.coordinates, i).kind == CoordinateKind::Length;
+        if is_length && longest.is_none_or(|(_, most)| place.abs() > most) {
+            longest = Some((i, place.abs()));
+        }
+    }
+    let (index, size) = longest?;
+    let (&value, &rate) = (here.q.get(index)?, here.qd.get(index)?);
     let grows = value * rate * (next - here.t) > T::of(0.0);
-    let is_far = value.abs() / scale.length > T::of(FAR);
+    let is_far = size / length_of(mechanism.length) > T::of(FAR);
+    let coordinate = names::coordinate(mechanism.coordinates, index);
     (is_far && grows).then(|| (Cause::Diverges { coordinate, value }, here.t + value / rate))
 }

@@ -39,7 +39,7 @@ pub struct Eliminated<T, const K: usize, const FACTORS: usize> {
 }
 
 /// The elimination of one block's Jacobian.
-pub trait Elimination<T: Real, const K: usize, const ENTRIES: usize, const FACTORS: usize> {
+pub trait Elimination<T: Real, const K: usize, const ENTRIES: usize, const FACTORS: usize>: 'static {
     /// The pattern and the order.
     const ORDER: Order<K, ENTRIES, FACTORS>;
 

@@ -64,9 +64,12 @@ impl<T: Float> FactorReal for T {
 }
 
 /// Factors of a square matrix.
-pub trait Linear<T: SimdReal, const N: usize>: Sized {
+pub trait Linear<T: SimdReal, const N: usize>: Sized + 'static {
     /// The form in which the matrix is given.
-    type Matrix;
+    type Matrix: 'static;
+
+    /// Whether these are the factors of [`Small`].
+    const IS_SMALL: bool = false;
 
     /// Factors `matrix`.
     ///

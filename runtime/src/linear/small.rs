@@ -32,6 +32,7 @@ const NOTHING: f64 = f32::MIN_POSITIVE as f64;
 
 impl<T: SimdReal, const N: usize> Linear<T, N> for Small<T, N> {
     type Matrix = SMatrix<T, N, N>;
+    const IS_SMALL: bool = true;
 
     #[inline(always)]
     fn factor(matrix: &SMatrix<T, N, N>) -> Result<Self, usize> {

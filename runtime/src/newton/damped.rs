@@ -6,8 +6,8 @@
 use nalgebra::SVector;
 
 use super::limits::LONGEST_STEP;
-use super::newton_step::{History, NewtonStep};
-use super::position::{NewtonError, Position, accept};
+use super::newton_step::{History, NewtonStep, Settled};
+use super::position::NewtonError;
 use super::{Iterate, Problem};
 use crate::linear::{Linear, difference, moved, scaled};
 use crate::number::Float;
@@ -22,11 +22,11 @@ const SMALLEST_FACTOR: f64 = 1e-6;
 /// Newton's method with damped steps from a rough guess. It does not cross singular positions.
 ///
 /// # Errors
-/// `Stuck` with the best position, from which no step passes the test; `Singular`, `NoConvergence` or `NotFinite`.
+/// `Stuck` with the best position, from which no step passes the test; `NoConvergence` or `NotFinite`.
 pub(crate) fn damped<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
     guess: &Iterate<T, N>,
-) -> Result<Position<T, P::Factors, N>, NewtonError<T, N>> {
+) -> Result<Settled<T, P::Factors, N>, NewtonError<T, N>> {
     let scale = problem.scale();
     let one = T::of(1.0);
     let mut step = NewtonStep::at(problem, *guess)?;
@@ -34,7 +34,7 @@ pub(crate) fn damped<T: Float, P: Problem<T, N>, const N: usize>(
     let mut predicted = one;
     for iterations in 1..=ITERATIONS {
         if step.has_settled(&history) {
-            return accept(problem, step, iterations);
+            return Ok(Settled { step, iterations });
         }
         let longest = smaller(one, T::of(LONGEST_STEP) / step.length);
         let Some(DampedStep { lambda, simplified }) = monotone_step(problem, &step, smaller(predicted, longest)) else {

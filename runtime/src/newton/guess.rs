@@ -2,7 +2,7 @@
 
 use super::damped::damped;
 use super::limits::LONGEST_STEP;
-use super::newton_step::{History, NewtonStep};
+use super::newton_step::{History, NewtonStep, Settled};
 use super::position::{NewtonError, Position, accept};
 use super::{Iterate, Problem};
 use crate::number::Float;
@@ -21,20 +21,27 @@ pub(crate) fn solve_from_guess<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
     guess: &Iterate<T, N>,
 ) -> Result<Position<T, P::Factors, N>, NewtonError<T, N>> {
-    limited(problem, guess).or_else(|_| damped(problem, guess))
+    let accepted = |settled| accept(problem, settled);
+    limited(problem, guess).and_then(accepted).or_else(|_| damped(problem, guess).and_then(accepted))
+}
+
+/// A better guess: the iterate at which the same methods settle. It may be singular.
+pub(crate) fn refined<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, guess: &Iterate<T, N>) -> Option<Iterate<T, N>> {
+    let settled = limited(problem, guess).or_else(|_| damped(problem, guess)).ok()?;
+    Some(settled.nudged(problem))
 }
 
 /// Newton's method with scaled steps of at most [`LONGEST_STEP`].
 fn limited<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
     guess: &Iterate<T, N>,
-) -> Result<Position<T, P::Factors, N>, NewtonError<T, N>> {
+) -> Result<Settled<T, P::Factors, N>, NewtonError<T, N>> {
     let mut iterate = *guess;
     let mut history = History::new();
     for iterations in 1..=CLOSING_ITERATIONS {
         let step = NewtonStep::at(problem, iterate)?;
         if step.has_settled(&history) {
-            return accept(problem, step, iterations);
+            return Ok(Settled { step, iterations });
         }
         let in_full = step.length <= T::of(LONGEST_STEP);
         iterate = step.moved(smaller(T::of(1.0), T::of(LONGEST_STEP) / step.length), problem);

@@ -12,7 +12,7 @@ mod solved;
 mod track;
 mod warm;
 
-pub(crate) use guess::solve_from_guess;
+pub(crate) use guess::{refined, solve_from_guess};
 pub use iterate::Iterate;
 pub(crate) use limits::{LONGEST_PREDICTION, ONE_CORRECTION};
 pub(crate) use newton_step::sizes;

@@ -30,6 +30,20 @@ pub(crate) struct NewtonStep<T, L, const N: usize> {
     sizes: SVector<T, N>,
 }
 
+/// The last step, whose correction leads to the solution.
+pub(crate) struct Settled<T, L, const N: usize> {
+    pub(crate) step: NewtonStep<T, L, N>,
+    /// Number of factorisations.
+    pub(crate) iterations: usize,
+}
+
+impl<T: Float, L: Linear<T, N>, const N: usize> Settled<T, L, N> {
+    /// The iterate after the last correction.
+    pub(crate) fn nudged<P: Problem<T, N>>(&self, problem: &P) -> Iterate<T, N> {
+        self.step.iterate.nudged(&self.step.correction, problem.needs_sin_cos())
+    }
+}
+
 /// Lengths and contractions of the previous corrections.
 #[derive(Clone, Copy)]
 pub(crate) struct History<T> {
@@ -105,9 +119,18 @@ pub(crate) fn sizes<T: Float, P: Problem<T, N>, const N: usize>(
 
 /// The sizes that are known, and of the other rows the sums of their entries in comparable units.
 fn known_or_of_rows<T: Float, const N: usize>(sizes: &SVector<T, N>, rows: &SMatrix<T, N, N>, column: &SVector<T, N>) -> SVector<T, N> {
-    let zero = T::of(0.0);
-    let of_row = |i: usize| (0..N).fold(zero, |sum, j| sum + rows[(i, j)].abs() * column[j]);
-    SVector::from_fn(|i, _| if sizes[i] > zero { sizes[i] } else { of_row(i) })
+    let mut of_rows = SVector::<T, N>::from_element(T::of(0.0));
+    for (entries, &size) in rows.data.0.iter().zip(column) {
+        for (sum, entry) in of_rows.iter_mut().zip(entries) {
+            *sum = *sum + entry.abs() * size;
+        }
+    }
+    for (size, &known) in of_rows.iter_mut().zip(sizes) {
+        if known > T::of(0.0) {
+            *size = known;
+        }
+    }
+    of_rows
 }
 
 /// The first number that is not finite: in q, else in Φ, else in δ.

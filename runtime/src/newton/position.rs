@@ -3,9 +3,9 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::limits::WELL_CONDITIONED;
-use super::newton_step::NewtonStep;
+use super::newton_step::{NewtonStep, Settled};
 use super::{Iterate, Problem};
-use crate::linear::{Linear, difference, divided, moved, product, scaled};
+use crate::linear::{Linear, difference, divided, moved, product};
 use crate::names::{CoordinateKind, Culprit};
 use crate::number::Float;
 use crate::number::order::{greater, smaller};
@@ -53,19 +53,19 @@ pub(crate) enum NewtonError<T, const N: usize> {
 /// Applies the last correction. The factors are those that velocities and accelerations use.
 pub(crate) fn accept<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
-    step: NewtonStep<T, P::Factors, N>,
-    iterations: usize,
+    settled: Settled<T, P::Factors, N>,
 ) -> Result<Position<T, P::Factors, N>, NewtonError<T, N>> {
-    let iterate = step.iterate.nudged(&step.correction, problem.needs_sin_cos());
-    let condition = step.factors.condition(&problem.sizes(), &problem.scale().reciprocal);
+    let iterate = settled.nudged(problem);
+    let Settled { step: NewtonStep { factors, .. }, iterations } = settled;
+    let condition = factors.condition(&problem.sizes(), &problem.scale().reciprocal);
     // Sine and cosine are meaningless where the angle itself is rounded coarsely.
     let is_lost = |k: usize| problem.coordinate(k).kind == CoordinateKind::Angle && T::EPSILON * iterate.x[k].abs() > T::of(COARSEST_ANGLE);
     if let Some(k) = (0..N).find(|&k| is_lost(k)) {
         return Err(NewtonError::NoConvergence { correction: T::EPSILON * iterate.x[k].abs(), iterations });
     }
     let is_certain = condition * T::ROOT_EPSILON <= T::of(WELL_CONDITIONED);
-    if is_certain || (step.factors.is_regular() && is_isolated(problem, &iterate, &step.factors, condition)) {
-        Ok(Position { iterate, factors: step.factors, condition, iterations })
+    if is_certain || (factors.is_regular() && is_isolated(problem, &iterate, &factors, condition)) {
+        Ok(Position { iterate, factors, condition, iterations })
     } else {
         Err(NewtonError::Singular(iterate))
     }
@@ -77,7 +77,7 @@ pub(crate) fn accept<T: Float, P: Problem<T, N>, const N: usize>(
 ///
 /// ```text
 /// v approximate null vector of Φ_q, |v| = 1
-/// ω = |Φ_q⁻¹ (Φ_q(q + λ v) − Φ_q) v| / λ      so that another solution may be at q ± 2 v / ω
+/// ω = |Φ_q⁻¹ (Φ_q(q + w) − Φ_q) w| / λ²,  w = λ v      so that another solution may be at q ± 2 v / ω
 /// r = Φ(q + w) − Φ − (Φ_q(q + w) + Φ_q) w / 2     rounding errors of Φ, at w of about v / ω
 /// ω (|Φ_q⁻¹ r| + ε |q|) ≤ 1/4
 /// ```
@@ -94,13 +94,9 @@ fn is_isolated<T: Float, P: Problem<T, N>, const N: usize>(
     // A solution with a nearly singular matrix points along its approximate null vector.
     let along = factors.solve(&uneven(&here, &scale.column));
     let along = divided(&along, scale.norm(&along));
+    let line = Line { problem, iterate, factors, phi, jacobian: here, along };
     let step = T::of(1.0) / condition;
-    let curvature = [step, -step].into_iter().fold(T::of(0.0), |largest, step| {
-        let (_, jacobian) = problem.linearize(&iterate.moved(step, &along, problem.needs_sin_cos()));
-        let there = P::Factors::dense(&jacobian);
-        let (there, here) = (product(&there, &along), product(&here, &along));
-        greater(largest, scale.norm(&factors.solve(&difference(&there, &here))) / step.abs())
-    });
+    let curvature = greater(line.beside(step).bend, line.beside(-step).bend) / (step * step);
     // Up to ∛ε the third-order terms of Φ are below rounding. Close to q, sums of nearly constant terms all round the same way, so
     // that only samples further away reveal the rounding error.
     let furthest = T::of(FAR_PLACES) * cube_root_of_epsilon();
@@ -110,26 +106,62 @@ fn is_isolated<T: Float, P: Problem<T, N>, const N: usize>(
     let [a, b, c, d] = PLACES;
     for multiple in [T::of(a), T::of(-a), T::of(b), T::of(-b), T::of(c), T::of(-c), T::of(d), T::of(-d)] {
         for reach in reaches {
-            let there = iterate.moved(T::of(1.0), &scaled(&along, multiple * reach), problem.needs_sin_cos());
-            let way = difference(&there.x, &iterate.x);
-            let (beside, jacobian) = problem.linearize(&there);
-            let slope = P::Factors::dense(&jacobian);
-            let (there, here) = (product(&slope, &way), product(&here, &way));
-            let rest = moved(&difference(&beside, &phi), T::of(-0.5), &moved(&there, T::of(1.0), &here));
-            error = greater(error, T::of(BEYOND_PLACES) * scale.norm(&factors.solve(&rest)));
+            error = greater(error, T::of(BEYOND_PLACES) * line.beside(multiple * reach).rounding);
         }
     }
     condition * T::EPSILON < T::of(1.0) && curvature * error <= T::of(LARGEST_CHANGE)
 }
 
+/// A line through a solution.
+struct Line<'a, T, P: Problem<T, N>, const N: usize>
+where
+    T: Float,
+{
+    problem: &'a P,
+    iterate: &'a Iterate<T, N>,
+    factors: &'a P::Factors,
+    phi: SVector<T, N>,
+    jacobian: SMatrix<T, N, N>,
+    /// Its direction.
+    along: SVector<T, N>,
+}
+
+/// Φ and Φ_q at q + w, beside a solution q.
+struct Beside<T> {
+    /// |Φ_q⁻¹ (Φ_q(q + w) − Φ_q) w|
+    bend: T,
+    /// |Φ_q⁻¹ r|
+    rounding: T,
+}
+
+impl<T: Float, P: Problem<T, N>, const N: usize> Line<'_, T, P, N> {
+    /// At this distance from the solution.
+    #[inline(never)]
+    fn beside(&self, distance: T) -> Beside<T> {
+        let there = self.iterate.moved(distance, &self.along, self.problem.needs_sin_cos());
+        let way = difference(&there.x, &self.iterate.x);
+        let (phi, jacobian) = self.problem.linearize(&there);
+        let (there, here) = (product(&P::Factors::dense(&jacobian), &way), product(&self.jacobian, &way));
+        let rest = moved(&difference(&phi, &self.phi), T::of(-0.5), &moved(&there, T::of(1.0), &here));
+        let [bend, rounding] = [difference(&there, &here), rest].map(|b| self.problem.scale().norm(&self.factors.solve(&b)));
+        Beside { bend, rounding }
+    }
+}
+
 /// The largest entry of each row in comparable units, times shares of which no two are alike.
 fn uneven<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, column: &SVector<T, N>) -> SVector<T, N> {
+    let mut largest = SVector::<T, N>::from_element(T::of(0.0));
+    for (entries, &size) in matrix.data.0.iter().zip(column) {
+        for (most, entry) in largest.iter_mut().zip(entries) {
+            *most = greater(*most, entry.abs() * size);
+        }
+    }
     let mut share = T::of(0.382);
-    SVector::from_fn(|k, _| {
-        let row = (0..N).fold(T::of(0.0), |sum, j| greater(sum, matrix[(k, j)].abs() * column[j]));
+    for row in &mut largest {
         share = share + T::of(0.618);
-        row * share
-    })
+        *row = *row * share;
+    }
+    largest
 }
 
 /// ∛ε

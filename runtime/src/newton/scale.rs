@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::names::{self, Coordinate, CoordinateKind, Description};
+use crate::names::{self, Coordinate, CoordinateKind};
 use crate::number::order::greater;
 use crate::number::{Float, Mask, SimdReal};
 
@@ -18,12 +18,8 @@ pub(crate) struct Scale<T, const N: usize> {
 }
 
 impl<T: Float, const N: usize> Scale<T, N> {
-    /// The scale of a mechanism.
-    pub(crate) fn of<E: Description<T, N> + ?Sized>(equations: &E) -> Self {
-        Self::new(equations.characteristic_length(), E::COORDINATES)
-    }
-
-    fn new(length: T, coordinates: &[Coordinate]) -> Self {
+    /// The scale of a mechanism with this characteristic length (m).
+    pub(crate) fn of(length: T, coordinates: &[Coordinate]) -> Self {
         let length = length_of(length);
         Self::by_kind(length, T::of(1.0) / length, &core::array::from_fn(|i| names::coordinate(coordinates, i).kind))
     }

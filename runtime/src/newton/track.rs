@@ -1,7 +1,7 @@
 //! Newton's method from a prediction to the solution on the same branch.
 
 use super::limits::{LARGEST_CONTRACTION, LONGEST_FIRST_CORRECTION};
-use super::newton_step::{History, NewtonStep};
+use super::newton_step::{History, NewtonStep, Settled};
 use super::position::{Position, accept};
 use super::{Iterate, Problem};
 use crate::linear::Linear;
@@ -36,7 +36,7 @@ pub(crate) fn track<T: Float, P: Problem<T, N>, const N: usize>(
         let step = NewtonStep::at(problem, iterate)?;
         // Sums that a correction below their rounding leaves unchanged make corrections shrink by a constant factor.
         if step.has_settled(&history) || (iterations == FOLLOWING_ITERATIONS && step.is_rounding()) {
-            return accept(problem, step, iterations).map_err(|_| TrackError::Singular);
+            return accept(problem, Settled { step, iterations }).map_err(|_| TrackError::Singular);
         }
         if iterations == 1 && sign.is_some_and(|sign| !T::same_signs(step.factors.det_sign(), sign).all()) {
             return Err(TrackError::Far);

@@ -14,9 +14,9 @@ use super::branch::{LARGEST_LAPSE, jump};
 use super::cold::{CheckedState, cold_state, inspect, valid_state};
 use crate::linear::{difference, divided, moved};
 use crate::names::{self, BranchEnd, Cause, CoordinateKind, Culprit};
-use crate::newton::{Scale, StepError};
+use crate::newton::StepError;
 use crate::number::Float;
-use crate::solve::{ColdSolver, Stages};
+use crate::solve::{ColdSolver, Followed, Stages};
 use crate::state::State;
 
 /// Largest number of steps from the defaults to the parameters, accepted or not.
@@ -42,39 +42,52 @@ pub(crate) struct Unassembled<T, const N: usize> {
 ///
 /// # Errors
 /// Why there is none, at these parameters or on the line to them.
+#[inline(never)]
 pub(crate) fn assemble<T: Float, E: Stages<T, N>, const N: usize>(equations: &E) -> Result<State<T, N>, Unassembled<T, N>> {
     let zero = T::of(0.0);
     let near = |guess: &SVector<T, N>| assemble_near(equations, zero, guess);
     let alone = |cause| Unassembled { cause, end: None, last: None };
     let start = equations.start();
-    let Some(defaults) = equations.interpolated(zero) else { return near(&start).map_err(alone) };
     // The defaults may be placeholders that do not close; then the start is only a guess.
-    let Ok(origin) = assemble_near(&defaults, zero, &defaults.start()) else { return near(&start).map_err(alone) };
-    if equations.validate().is_err() {
-        return near(&start).map_err(alone);
-    }
+    let origin = equations.interpolated(zero).and_then(|defaults| assemble_near(&defaults, zero, &defaults.start()).ok());
+    let Some(origin) = origin.filter(|_| equations.validate().is_ok()) else { return near(&start).map_err(alone) };
     let (lambda, here) = match follow(equations, &origin) {
         Ok((state, None)) => return Ok(state),
         Ok((_, Some(cause))) => return Err(alone(cause)),
         Err(end) => end,
     };
-    let mut cause = None;
-    for found in [near(&here.q), near(&start)] {
-        cause = Some(match found {
-            Ok(state) if state.branch == origin.branch => return Ok(state),
-            Ok(mirrored) => jump(equations, &here.q, &mirrored.q),
-            Err(other) => less_open(cause, other),
-        });
+    let first = match near(&here.q) {
+        Ok(state) if state.branch == origin.branch => return Ok(state),
+        other => other,
+    };
+    let second = match near(&start) {
+        Ok(state) if state.branch == origin.branch => return Ok(state),
+        other => other,
+    };
+    let cause = why_not(&Followed::new(&equations), &here, [first, second]);
+    Err(Unassembled { cause, end: end(equations, lambda, &here), last: Some(here) })
+}
+
+/// Why two guesses, from `here` and from the start, led to no state on the branch.
+fn why_not<T: Float, const N: usize>(
+    mechanism: &Followed<'_, T, N>,
+    here: &State<T, N>,
+    [first, second]: [Result<State<T, N>, Cause<T>>; 2],
+) -> Cause<T> {
+    let mirrored = |state: State<T, N>| jump(mechanism, &here.q, &state.q);
+    match (first.map_or_else(|cause| cause, mirrored), second) {
+        (_, Ok(state)) => mirrored(state),
+        // Of two open loops the one with the smaller gap; else the first cause.
+        (Cause::DoesNotClose { gap: one, .. }, Err(now @ Cause::DoesNotClose { gap: two, .. })) if two < one => now,
+        (before, Err(_)) => before,
     }
-    let Some(cause) = cause else { return near(&start).map_err(alone) };
-    let end = end(equations, lambda, &here);
-    Err(Unassembled { cause, end, last: Some(here) })
 }
 
 /// The state at `t` (s) that Newton's method finds from a rough `guess` of q, on any branch.
 ///
 /// # Errors
 /// Why there is none.
+#[inline(never)]
 pub(crate) fn assemble_near<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
     t: T,
@@ -85,16 +98,8 @@ pub(crate) fn assemble_near<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
         return Err(Cause::NotFinite { of: Culprit::Time });
     }
     let guess = equations.refined_guess(t, guess);
-    Ok(valid_state(equations, t, ColdSolver::from_guess(equations, &guess))?)
-}
-
-/// Of two open loops the one with the smaller gap; else the first cause.
-fn less_open<T: Float>(before: Option<Cause<T>>, now: Cause<T>) -> Cause<T> {
-    match (before, now) {
-        (Some(Cause::DoesNotClose { gap: one, .. }), Cause::DoesNotClose { gap: two, .. }) if two < one => now,
-        (Some(before), _) => before,
-        (None, now) => now,
-    }
+    let mechanism = Followed::new(&equations);
+    Ok(valid_state(&mechanism, t, ColdSolver::from_guess(&mechanism, &guess))?)
 }
 
 /// Follows the branch from the defaults. Returns the state at the parameters, with the redundant joint that does not fit there if
@@ -112,7 +117,7 @@ fn follow<T: Float, E: Stages<T, N>, const N: usize>(
         let next = if reached + step < one { reached + step } else { one };
         let between = if next < one { equations.interpolated(next) } else { None };
         let by = next - reached;
-        match stride(between.as_ref().unwrap_or(equations), &here, &slope, by) {
+        match stride(&Followed::new(&between.as_ref().unwrap_or(equations)), &here, &slope, by) {
             // Redundant joints need not fit between the defaults and the parameters.
             Ok((state, _)) if next < one => {
                 slope = divided(&difference(&state.q, &here.q), by);
@@ -130,8 +135,8 @@ fn follow<T: Float, E: Stages<T, N>, const N: usize>(
 }
 
 /// One step from `here` to other parameters, with the predicted change `slope` times `by`.
-fn stride<T: Float, E: Stages<T, N>, const N: usize>(
-    equations: &E,
+fn stride<T: Float, const N: usize>(
+    mechanism: &Followed<'_, T, N>,
     here: &State<T, N>,
     slope: &SVector<T, N>,
     by: T,
@@ -140,36 +145,30 @@ fn stride<T: Float, E: Stages<T, N>, const N: usize>(
     let mut slanted = here.clone();
     (slanted.qd, slanted.qdd) = (*slope, SVector::from_element(zero));
     let predicted = moved(&here.q, by, slope);
-    match cold_state(equations, zero, ColdSolver::from_prediction(equations, &slanted, by)) {
+    match cold_state(mechanism, zero, ColdSolver::from_prediction(mechanism, &slanted, by)) {
         // No other assembly with the same sign can be this close.
-        Ok(found) if is_as_predicted::<T, E, N>(equations, &here.q, &predicted, &found.0, T::of(LARGEST_LAPSE) / found.0.condition) => {
-            Ok(found)
-        }
+        Ok(found) if is_as_predicted(mechanism, &here.q, &predicted, &found.0, T::of(LARGEST_LAPSE) / found.0.condition) => Ok(found),
         Ok(_) => Err(StepError::Far),
         Err(error) => {
-            let found = cold_state(equations, zero, ColdSolver::from_guess(equations, &predicted))?;
+            let found = cold_state(mechanism, zero, ColdSolver::from_guess(mechanism, &predicted))?;
             let is_same = found.0.branch == here.branch;
-            if is_same && is_as_predicted::<T, E, N>(equations, &here.q, &predicted, &found.0, T::of(SURPRISE)) {
-                Ok(found)
-            } else {
-                Err(error)
-            }
+            if is_same && is_as_predicted(mechanism, &here.q, &predicted, &found.0, T::of(SURPRISE)) { Ok(found) } else { Err(error) }
         }
     }
 }
 
 /// Whether q is close to its prediction, relative to the predicted change.
-fn is_as_predicted<T: Float, E: Stages<T, N>, const N: usize>(
-    equations: &E,
+fn is_as_predicted<T: Float, const N: usize>(
+    mechanism: &Followed<'_, T, N>,
     before: &SVector<T, N>,
     predicted: &SVector<T, N>,
     found: &State<T, N>,
     surprise: T,
 ) -> bool {
-    let scale = Scale::of(equations);
+    let scale = mechanism.scale();
     (0..N).all(|i| {
         let (way, off) = ((predicted[i] - before[i]).abs(), (found.q[i] - predicted[i]).abs());
-        match names::coordinate(E::COORDINATES, i).kind {
+        match names::coordinate(mechanism.coordinates, i).kind {
             CoordinateKind::Angle | CoordinateKind::Number => way <= T::of(LONGEST_TURN) && off <= surprise,
             CoordinateKind::Length => off <= surprise * (way + scale.length),
         }
@@ -179,7 +178,7 @@ fn is_as_predicted<T: Float, E: Stages<T, N>, const N: usize>(
 /// The block that is nearest to singular where a branch ends.
 fn end<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, lambda: T, here: &State<T, N>) -> Option<BranchEnd<T>> {
     let there = equations.interpolated(lambda)?;
-    match inspect(&there, here.t, &here.q)? {
+    match inspect(&Followed::new(&&there), here.t, &here.q)? {
         Cause::Singular { row, coordinate, .. } => Some(BranchEnd { lambda, row, coordinate }),
         _ => None,
     }

@@ -2,10 +2,10 @@
 
 use nalgebra::SVector;
 
-use crate::names::{self, Cause, CoordinateKind};
-use crate::newton::{Scale, length_of};
+use crate::names::{self, Cause, Coordinate, CoordinateKind};
+use crate::newton::length_of;
 use crate::number::{Float, Mask};
-use crate::solve::{SolverReal, Stages};
+use crate::solve::{Followed, SolverReal};
 use crate::state::{Moment, State};
 
 /// Largest distance of a computed angle from its prediction, in rad.
@@ -17,9 +17,9 @@ pub(crate) const LARGEST_LAPSE: f64 = 0.2;
 
 /// Whether every binary link has turned by less than 120°: where its cross folds, it would turn by 180° about its line.
 #[inline(always)]
-pub(super) fn keeps_sides<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(here: &SVector<T, N>, there: &SVector<T, N>) -> T::Mask {
+pub(super) fn keeps_sides<T: SolverReal, const N: usize>(links: &[usize], here: &SVector<T, N>, there: &SVector<T, N>) -> T::Mask {
     let mut kept = T::Mask::of(true);
-    for &first in E::LINKS {
+    for &first in links {
         // The trace of A₀ᵀ A is 1 + 2 cos φ.
         let entries = first..(first + 9).min(N);
         let trace = entries.fold(T::of(0.0), |sum, i| sum + here[i] * there[i]);
@@ -31,13 +31,14 @@ pub(super) fn keeps_sides<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usiz
 /// Whether every computed angle is close to its prediction, and every binary link has kept its side. A drive that resumes after a dwell
 /// may turn by any angle in one long step.
 #[inline(always)]
-pub(super) fn is_resolved<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
+pub(super) fn is_resolved<T: SolverReal, const N: usize>(
+    [links, computed_angles]: [&[usize]; 2],
     here: Moment<'_, T, N>,
     q: &SVector<T, N>,
     h: T,
 ) -> T::Mask {
-    let mut resolved = keeps_sides::<T, E, N>(here.q, q);
-    for &i in E::COMPUTED_ANGLES {
+    let mut resolved = keeps_sides(links, here.q, q);
+    for &i in computed_angles {
         if i < N {
             let off = q[i] - (here.q[i] + h * (here.qd[i] + h * T::of(0.5) * here.qdd[i]));
             resolved = resolved.and(off.abs().at_most(T::of(LARGEST_SURPRISE)));
@@ -47,14 +48,12 @@ pub(super) fn is_resolved<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usiz
 }
 
 /// Whether a step stayed on the branch, seen forwards and backwards.
-pub(crate) fn is_same_branch<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
-    equations: &E,
-    here: &State<T, N>,
-    there: &State<T, N>,
-) -> bool {
+pub(crate) fn is_same_branch<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &State<T, N>, there: &State<T, N>) -> bool {
+    let Followed { length, iterated, coordinates, links, computed_angles, .. } = *mechanism;
     let h = there.t - here.t;
     let (from, to) = (here.values.moment(), there.values.moment());
-    is_resolved::<T, E, N>(from, to.q, h) && comes_from(equations, from, h, to, here.condition.max(there.condition))
+    let condition = here.condition.max(there.condition);
+    is_resolved([links, computed_angles], from, to.q, h) && comes_from(length, (iterated, coordinates), from, h, to, condition)
 }
 
 /// Rounding errors of positions, as a multiple of ε times their condition.
@@ -63,22 +62,24 @@ const ROUNDINGS: f64 = 4.0;
 /// Whether the prediction backwards from the new state, q − h q̇ + h² q̈ / 2, meets the old state, to the distance at which another
 /// assembly may be.
 ///
+/// * `length`: given, the characteristic length in m.
 /// * `condition`: given, the larger one of both states.
 #[cold]
 #[inline(never)]
-pub(super) fn comes_from<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
-    equations: &E,
+pub(super) fn comes_from<T: SolverReal, const N: usize>(
+    length: T,
+    (iterated, coordinates): (&[usize], &[Coordinate]),
     here: Moment<'_, T, N>,
     h: T,
     there: Moment<'_, T, N>,
     condition: T,
 ) -> T::Mask {
-    let length = length_of(equations.characteristic_length());
+    let length = length_of(length);
     // Rounding errors of the two positions are allowed for.
     let nearest = T::of(LARGEST_LAPSE) / condition + T::of(ROUNDINGS) * T::EPSILON * condition;
     let mut comes = T::Mask::of(true);
-    for &i in E::ITERATED {
-        let Some(coordinate) = E::COORDINATES.get(i) else { continue };
+    for &i in iterated {
+        let Some(coordinate) = coordinates.get(i) else { continue };
         let lapse = (there.q[i] - here.q[i]) - h * (there.qd[i] - T::of(0.5) * (h * there.qdd[i]));
         // A length larger than L is scaled by its own value.
         let size = if coordinate.kind == CoordinateKind::Length { length.max(here.q[i].abs()) } else { T::of(1.0) };
@@ -88,14 +89,10 @@ pub(super) fn comes_from<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize
 }
 
 /// The jump between two positions, by the coordinate in which they differ most.
-pub(crate) fn jump<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
-    equations: &E,
-    from: &SVector<T, N>,
-    to: &SVector<T, N>,
-) -> Cause<T> {
-    let scale = Scale::of(equations);
+pub(crate) fn jump<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, from: &SVector<T, N>, to: &SVector<T, N>) -> Cause<T> {
+    let scale = mechanism.scale();
     let share = |i: usize| ((to[i] - from[i]) / scale.column[i]).abs();
     let most = (0..N).fold(0, |best, i| if share(i) > share(best) { i } else { best });
     let jump = to.get(most).zip(from.get(most)).map_or(T::of(f64::NAN), |(&to, &from)| to - from);
-    Cause::BranchLost { coordinate: names::coordinate(E::COORDINATES, most), jump }
+    Cause::BranchLost { coordinate: names::coordinate(mechanism.coordinates, most), jump }
 }

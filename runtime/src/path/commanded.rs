@@ -15,7 +15,7 @@ use super::continuation::{Ended, advance_by_steps};
 use crate::names::{Cause, Coordinate, Description, ParameterOutOfRange, Row};
 use crate::newton::StepError;
 use crate::number::{Float, Real};
-use crate::solve::{ColdSolver, Commanded, Solver, SolverReal, Stages};
+use crate::solve::{ColdSolver, Commanded, Followed, Solver, SolverReal, Stages};
 use crate::state::{Coordinates, State, Values};
 
 /// Times closer to each other than this many of their roundings are one.
@@ -69,6 +69,7 @@ impl<T: Real, E: Commanded<T> + Description<T, N>, const N: usize> Description<T
 impl<T: SolverReal, E: Commanded<T> + Stages<T, N>, const N: usize> Stages<T, N> for Along<'_, T, E> {
     const COMPUTED_ANGLES: &'static [usize] = E::COMPUTED_ANGLES;
     const LINKS: &'static [usize] = E::LINKS;
+    const IS_REDUNDANT: bool = E::IS_REDUNDANT;
     const ITERATED: &'static [usize] = E::ITERATED;
     const MAY_BE_NON_FINITE: Option<&'static [usize]> = E::MAY_BE_NON_FINITE;
     const IN_PLACE: bool = E::IN_PLACE;
@@ -118,7 +119,8 @@ pub(crate) fn lead<'a, T: Float, E: Commanded<T> + Stages<T, N>, const N: usize>
     if let Err(ended) = advance_by_steps(&way, &mut led, brief) {
         return Err((way, ended));
     }
-    let there = mechanism.with(to);
+    let there = &mechanism.with(to);
+    let there = Followed::new(&there);
     match cold_state(&there, t, ColdSolver::from_prediction(&there, &led, T::of(0.0))) {
         Ok((found, None)) => {
             *state = found;

@@ -14,7 +14,7 @@ use crate::names::{self, Cause, CoordinateKind, Culprit};
 use crate::newton::{StepError, length_of};
 use crate::number::Float;
 use crate::number::order::greater;
-use crate::solve::{ColdSolver, Stages, largest_alone};
+use crate::solve::{ColdSolver, Followed, Stages, largest_alone};
 use crate::state::State;
 
 /// Largest number of steps of one continuation, accepted or not, for a mechanism of a few coordinates. It decreases with the number
@@ -58,22 +58,40 @@ pub(crate) enum Ended<T, const N: usize> {
 ///
 /// # Errors
 /// Where and why the branch could not be followed.
-#[cold]
-#[inline(never)]
 pub(crate) fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
     state: &mut State<T, N>,
     t: T,
 ) -> Result<(), Ended<T, N>> {
+    let mechanism = Followed::new(&equations);
+    let last = advance(&mechanism, state, t)?;
+    // A constant, so that mechanisms without redundant equations do not have this compiled.
+    if E::IS_REDUNDANT && matches!(last, Last::Step) && state.condition > largest_alone() {
+        crossing::refine_beside(&mechanism, state);
+    }
+    Ok(())
+}
+
+/// How a continuation arrived.
+enum Last {
+    /// By a step.
+    Step,
+    /// By an extrapolation across a change point.
+    Crossing,
+}
+
+#[cold]
+#[inline(never)]
+fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut State<T, N>, t: T) -> Result<Last, Ended<T, N>> {
     if !t.is_finite() || !state.t.is_finite() {
         return Err(Ended::Refused(Cause::NotFinite { of: Culprit::Time }));
     }
-    if let Err(parameter) = equations.validate() {
+    if let Err(parameter) = mechanism.validate() {
         return Err(Ended::Refused(Cause::ParameterOutOfRange(parameter)));
     }
     // A state of slightly different parameters is first solved again at its own time; a state of these parameters does not change
     // by that.
-    let seated = cold_state(equations, state.t, ColdSolver::from_prediction(equations, state, T::of(0.0)));
+    let seated = cold_state(mechanism, state.t, ColdSolver::from_prediction(mechanism, state, T::of(0.0)));
     let (mut here, fits) = seated.map_or_else(|_| (state.clone(), true), |(seated, off)| (seated, off.is_none()));
     // Why there was no state at `t`, as far as a redundant equation is to blame.
     let mut refused = None;
@@ -82,23 +100,20 @@ pub(crate) fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usiz
     let most = const { MOST_STEPS / (1 + 10 * N / MANY) };
     for _ in 0..most {
         let next = if step.abs() >= (t - here.t).abs() { t } else { here.t + step };
-        let failed = match cold_state(equations, next, ColdSolver::from_prediction(equations, &here, next - here.t)) {
+        let failed = match cold_state(mechanism, next, ColdSolver::from_prediction(mechanism, &here, next - here.t)) {
             // The solved equations have branches on which redundant ones do not hold.
             Ok((_, Some(cause))) if fits => {
                 refused = refused.or((next == t).then_some(cause));
                 Ok(refused.unwrap_or(cause))
             }
-            Ok((there, _)) if !is_same_branch(equations, &here, &there) && halves(equations, &mut step, next, &here, t - state.t) => {
+            Ok((there, _)) if !is_same_branch(mechanism, &here, &there) && halves(mechanism, &mut step, next, &here, t - state.t) => {
                 continue;
             }
-            Ok((there, _)) if !keeps_sides::<T, E, N>(&here.q, &there.q) => Err(StepError::Far),
+            Ok((there, _)) if !keeps_sides(mechanism.links, &here.q, &there.q) => Err(StepError::Far),
             Ok((_, Some(cause))) if next == t => return Err(Ended::Refused(cause)),
             Ok((there, _)) if next == t => {
                 *state = there;
-                if state.condition > largest_alone() {
-                    crossing::refine_beside(equations, state);
-                }
-                return Ok(());
+                return Ok(Last::Step);
             }
             Ok((there, _)) => {
                 here = there;
@@ -110,13 +125,13 @@ pub(crate) fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usiz
             }
             Err(error) => Err(error),
         };
-        if halves(equations, &mut step, next, &here, t - state.t) {
+        if halves(mechanism, &mut step, next, &here, t - state.t) {
             continue;
         }
-        match (crossing::cross(equations, &waypoint, &here, t), failed) {
+        match (crossing::cross(mechanism, &waypoint, &here, t), failed) {
             (Some(beyond), _) if beyond.t == t => {
                 *state = beyond;
-                return Ok(());
+                return Ok(Last::Crossing);
             }
             (Some(beyond), _) => {
                 step = t - beyond.t;
@@ -137,19 +152,22 @@ fn largest_condition<T: Float>(share: f64) -> T {
 /// Halves a step; false if it cannot be shorter, because time or the coordinates would change by less than their rounding.
 ///
 /// * `whole`: given, s, the whole time to be covered.
-fn halves<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, step: &mut T, next: T, here: &State<T, N>, whole: T) -> bool {
+fn halves<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, step: &mut T, next: T, here: &State<T, N>, whole: T) -> bool {
     *step = (next - here.t) * T::of(0.5);
     let h = *step;
     let time = here.t.abs().max(next.abs()).max(T::EPSILON * whole.abs());
-    let length = length_of(equations.characteristic_length());
-    let ways = |h: T| E::ITERATED.iter().filter(|i| **i < N).map(move |&i| (i, (h * here.qd[i]).abs() + (h * h * here.qdd[i]).abs()));
-    let size = |i: usize| if names::coordinate(E::COORDINATES, i).kind == CoordinateKind::Length { length } else { T::of(1.0) };
+    let length = length_of(mechanism.length);
     // So close to a fold rounding errors let the shortest steps fail and succeed at random.
     let is_at_end = here.condition * T::ROOT_EPSILON > T::of(NEARLY_SINGULAR);
-    let rounding = |i: usize| T::EPSILON * (here.q[i].abs() + size(i));
-    let least = |i: usize| if is_at_end { T::of(LEAST_WAY) * size(i) / here.condition } else { rounding(i) };
-    let moves = || ways(h).any(|(i, way)| way > least(i));
     // Laws that begin at rest have rates of rounding errors there.
-    let rests = || ways(whole).all(|(i, way)| way <= T::of(MOST_AT_REST) * rounding(i));
-    h.abs() > T::of(SHORTEST_STEP) * T::EPSILON * time && (rests() || moves())
+    let (mut moves, mut rests) = (false, true);
+    for &i in mechanism.iterated {
+        let (Some(&q), Some(&qd), Some(&qdd)) = (here.q.get(i), here.qd.get(i), here.qdd.get(i)) else { continue };
+        let way = |h: T| (h * qd).abs() + (h * h * qdd).abs();
+        let size = if names::coordinate(mechanism.coordinates, i).kind == CoordinateKind::Length { length } else { T::of(1.0) };
+        let rounding = T::EPSILON * (q.abs() + size);
+        moves |= way(h) > if is_at_end { T::of(LEAST_WAY) * size / here.condition } else { rounding };
+        rests &= way(whole) <= T::of(MOST_AT_REST) * rounding;
+    }
+    h.abs() > T::of(SHORTEST_STEP) * T::EPSILON * time && (rests || moves)
 }

@@ -11,16 +11,13 @@
 //! the crossing itself: the equations must hold there to a few roundings of their terms, after correction in every direction that
 //! they determine.
 
-use nalgebra::SVector;
-
 use super::branch::is_same_branch;
-use super::cold::{cold_state, solve_stages};
+use super::cold::cold_state;
 use crate::linear::difference;
 use crate::names::{self, Coordinate, CoordinateKind};
-use crate::newton::Scale;
 use crate::number::Float;
 use crate::number::order::greater;
-use crate::solve::{ColdSolver, Stages};
+use crate::solve::{ColdSolver, Followed};
 use crate::state::{State, Values};
 
 /// The least condition next to a crossing, as a fraction of 1 / √ε; two branches that do not meet are distinguished at a smaller
@@ -58,8 +55,8 @@ const REACH: f64 = 4.0;
 /// * `waypoint`: given, a state before the change point, well conditioned.
 /// * `here`: given, the last state before it.
 /// * `t`: given, s, the time to be reached: at the change point, or behind it.
-pub(crate) fn cross<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
-    equations: &E,
+pub(crate) fn cross<T: Float, const N: usize>(
+    mechanism: &Followed<'_, T, N>,
     waypoint: &State<T, N>,
     here: &State<T, N>,
     t: T,
@@ -72,12 +69,12 @@ pub(crate) fn cross<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     if !is_there && (t - crossing) * (crossing - waypoint.t) <= T::of(0.0) {
         return None;
     }
-    through(equations, waypoint, here, (crossing, is_there), t)
+    through(mechanism, waypoint, here, (crossing, is_there), t)
 }
 
 /// The state behind a change point at `crossing`, no further from it than `waypoint`; if `is_there`, the state at `t`, next to it.
-fn through<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
-    equations: &E,
+fn through<T: Float, const N: usize>(
+    mechanism: &Followed<'_, T, N>,
     waypoint: &State<T, N>,
     here: &State<T, N>,
     (crossing, is_there): (T, bool),
@@ -87,29 +84,29 @@ fn through<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     // From closer and closer to the crossing, until a step across it succeeds.
     let (mut before, mut beyond) = (waypoint.clone(), None);
     for _ in 0..MOST_STEPS {
-        beyond = step(equations, &before, crossing + (crossing - before.t), true);
+        beyond = step(mechanism, &before, crossing + (crossing - before.t), true);
         if beyond.is_some() || before.condition >= close {
             break;
         }
-        before = step(equations, &before, T::of(0.5) * (before.t + crossing), false)?;
+        before = step(mechanism, &before, T::of(0.5) * (before.t + crossing), false)?;
     }
     let beyond = beyond?;
-    let near = approach(equations, &before, crossing, close)?;
-    let far = approach(equations, &beyond, crossing, close)?;
-    let meets = step(equations, &near, far.t, true)?;
+    let near = approach(mechanism, &before, crossing, close)?;
+    let far = approach(mechanism, &beyond, crossing, close)?;
+    let meets = step(mechanism, &near, far.t, true)?;
     // Two simultaneous crossings leave all signs unchanged; ordinary steps then reach states behind them.
     if meets.branch != far.branch || (far.branch == here.branch && !is_there) {
         return None;
     }
     let between = between();
-    let [near, far] = [approach(equations, &before, crossing, between)?, approach(equations, &beyond, crossing, between)?];
+    let [near, far] = [approach(mechanism, &before, crossing, between)?, approach(mechanism, &beyond, crossing, between)?];
     // Between branches that only come close there is no solution.
-    let mut there = extrapolated(equations, near, far, crossing, if is_there { t } else { crossing })?;
-    there.values.q = solve_stages(equations, there.values.t, &ColdSolver::at_crossing(equations, &there.values.q)).ok()?.q;
+    let mut there = extrapolated(mechanism, near, far, crossing, if is_there { t } else { crossing })?;
+    there.values.q = mechanism.solve(there.values.t, &ColdSolver::at_crossing(mechanism, &there.values.q)).ok()?.q;
     if !is_there {
         return Some(beyond);
     }
-    Some(State { parameter_hash: equations.parameter_hash(), ..there })
+    Some(State { parameter_hash: mechanism.parameter_hash, ..there })
 }
 
 /// Improves a state that is next to a change point of the solved equations, of a mechanism with redundant equations: together they determine
@@ -122,21 +119,19 @@ fn through<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
 /// What is found from states on both sides may differ by no more than these.
 #[cold]
 #[inline(never)]
-pub(crate) fn refine_beside<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, state: &mut State<T, N>) {
-    if has_redundant_equations(equations, state)
-        && let Some(refined) = beside(equations, state)
-    {
+pub(crate) fn refine_beside<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut State<T, N>) {
+    if let Some(refined) = beside(mechanism, state) {
         *state = refined;
     }
 }
 
 /// The state next to a change point from states on both sides; None if there is none.
-fn beside<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, here: &State<T, N>) -> Option<State<T, N>> {
-    let scale = Scale::of(equations);
+fn beside<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &State<T, N>) -> Option<State<T, N>> {
+    let scale = mechanism.scale();
     let speed = scale.norm(&here.qd);
     // The change point is about 1 / condition away.
     let brief = T::of(BRIEF) / (here.condition * speed);
-    let other = [here.t - brief, here.t + brief].into_iter().find_map(|t| step(equations, here, t, false))?;
+    let other = [here.t - brief, here.t + brief].into_iter().find_map(|t| step(mechanism, here, t, false))?;
     let (mut waypoint, mut closest) = (other, here.clone());
     for _ in 0..MOST_STEPS {
         if waypoint.condition <= between() {
@@ -144,7 +139,7 @@ fn beside<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, her
         }
         let crossing = crossing(&waypoint, &closest);
         // Away from it the condition decreases as the distance grows.
-        let next = step(equations, &waypoint, crossing + T::of(2.0) * (waypoint.t - crossing), false)?;
+        let next = step(mechanism, &waypoint, crossing + T::of(2.0) * (waypoint.t - crossing), false)?;
         if next.condition > T::of(LEAST_DECREASE) * waypoint.condition {
             return None;
         }
@@ -156,10 +151,10 @@ fn beside<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, her
             break;
         }
         let crossing = crossing(&last, &closest);
-        let next = step(equations, &closest, T::of(0.5) * (closest.t + crossing), false)?;
+        let next = step(mechanism, &closest, T::of(0.5) * (closest.t + crossing), false)?;
         (last, closest) = (closest, next);
     }
-    let mut there = through(equations, &waypoint, &closest, (crossing(&last, &closest), true), here.t)?;
+    let mut there = through(mechanism, &waypoint, &closest, (crossing(&last, &closest), true), here.t)?;
     let lost = T::of(LOST) * T::EPSILON * here.condition;
     let rounded = [lost, lost * here.condition * speed, lost * here.condition * here.condition * speed * speed];
     let apart = [(&there.q, &here.q), (&there.qd, &here.qd), (&there.qdd, &here.qdd)];
@@ -167,14 +162,6 @@ fn beside<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, her
     let is_same = apart.iter().zip(&rounded).all(|(apart, rounded)| apart <= rounded);
     there.values.branch = here.branch;
     is_same.then_some(there)
-}
-
-/// Whether equations are checked instead of solved.
-fn has_redundant_equations<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, here: &State<T, N>) -> bool {
-    let solver = ColdSolver::inspection(equations, &here.q);
-    // Only the report is needed.
-    let _ = solve_stages(equations, here.t, &solver);
-    solver.report().is_verified
 }
 
 /// Where the condition would be infinite, from two states on one side.
@@ -202,8 +189,8 @@ fn between<T: Float>() -> T {
 /// ```
 ///
 /// Stoer, Bulirsch: Introduction to Numerical Analysis, 3.4.
-fn extrapolated<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
-    equations: &E,
+fn extrapolated<T: Float, const N: usize>(
+    mechanism: &Followed<'_, T, N>,
     near: State<T, N>,
     far: State<T, N>,
     crossing: T,
@@ -212,18 +199,18 @@ fn extrapolated<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     let h = greater((crossing - near.t).abs(), (far.t - crossing).abs());
     let h = if far.t > near.t { h } else { -h };
     let between = |near: &State<T, N>, far: &State<T, N>, h: T| {
-        let near = step(equations, near, crossing - h, false)?;
-        let far = step(equations, far, crossing + h, false)?;
-        let there = interpolated(&near, &far, t, E::COORDINATES);
+        let near = step(mechanism, near, crossing - h, false)?;
+        let far = step(mechanism, far, crossing + h, false)?;
+        let there = interpolated(&near, &far, t, mechanism.coordinates);
         Some((near, far, there))
     };
     let (near, far, mut there) = between(&near, &far, h)?;
     let Some((near, far, second)) = between(&near, &far, T::of(2.0) * h) else { return Some(there) };
     let shares = [T::of(1.0 / 63.0), T::of(1.0 / 15.0)];
-    there = combined(there, &second, E::COORDINATES, shares);
+    there = combined(there, &second, mechanism.coordinates, shares);
     if let Some((_, _, third)) = between(&near, &far, T::of(4.0) * h) {
-        let coarse = combined(second, &third, E::COORDINATES, shares);
-        there = combined(there, &coarse, E::COORDINATES, [T::of(1.0 / 255.0), T::of(1.0 / 63.0)]);
+        let coarse = combined(second, &third, mechanism.coordinates, shares);
+        there = combined(there, &coarse, mechanism.coordinates, [T::of(1.0 / 255.0), T::of(1.0 / 63.0)]);
     }
     Some(there)
 }
@@ -260,64 +247,47 @@ fn interpolated<T: Float, const N: usize>(near: &State<T, N>, far: &State<T, N>,
     let h = far.t - near.t;
     let s = (t - near.t) / h;
     let of = T::of;
+    let [mut q, mut qd, mut qdd] = [near.q, near.qd, near.qdd];
     // q = q₀ + h q̇₀ s + h² q̈₀ s² / 2 + s³ (c₃ + s (c₄ + s c₅)), with the c from the remainders of q, q̇ and q̈ at s = 1.
-    let coefficients = |i: usize| {
+    for i in 0..N {
         let (first, second) = (h * near.qd[i], h * h * near.qdd[i]);
         let value = ((far.q[i] - near.q[i]) - first) - of(0.5) * second;
         let rate = h * (far.qd[i] - near.qd[i]) - second;
         let acceleration = h * h * (far.qdd[i] - near.qdd[i]);
-        if is_of_orientation(coordinates, i) {
+        let [c3, c4, c5] = if is_of_orientation(coordinates, i) {
             // The integral of ω, without its value.
-            return (first, second, [rate - acceleration / of(3.0), of(0.25) * acceleration - of(0.5) * rate, of(0.0)]);
-        }
-        let c3 = of(10.0) * value - of(4.0) * rate + of(0.5) * acceleration;
-        let c4 = of(7.0) * rate - of(15.0) * value - acceleration;
-        let c5 = of(6.0) * value - of(3.0) * rate + of(0.5) * acceleration;
-        (first, second, [c3, c4, c5])
-    };
-    let q = SVector::from_fn(|i, _| {
-        let (first, second, [c3, c4, c5]) = coefficients(i);
-        near.q[i] + s * (first + s * (of(0.5) * second + s * (c3 + s * (c4 + s * c5))))
-    });
-    let qd = SVector::from_fn(|i, _| {
-        let (first, second, [c3, c4, c5]) = coefficients(i);
-        (first + s * (second + s * (of(3.0) * c3 + s * (of(4.0) * c4 + s * of(5.0) * c5)))) / h
-    });
-    let qdd = SVector::from_fn(|i, _| {
-        let (_, second, [c3, c4, c5]) = coefficients(i);
-        (second + s * (of(6.0) * c3 + s * (of(12.0) * c4 + s * of(20.0) * c5))) / (h * h)
-    });
+            [rate - acceleration / of(3.0), of(0.25) * acceleration - of(0.5) * rate, of(0.0)]
+        } else {
+            let c3 = of(10.0) * value - of(4.0) * rate + of(0.5) * acceleration;
+            let c4 = of(7.0) * rate - of(15.0) * value - acceleration;
+            [c3, c4, of(6.0) * value - of(3.0) * rate + of(0.5) * acceleration]
+        };
+        q[i] = near.q[i] + s * (first + s * (of(0.5) * second + s * (c3 + s * (c4 + s * c5))));
+        qd[i] = (first + s * (second + s * (of(3.0) * c3 + s * (of(4.0) * c4 + s * of(5.0) * c5)))) / h;
+        qdd[i] = (second + s * (of(6.0) * c3 + s * (of(12.0) * c4 + s * of(20.0) * c5))) / (h * h);
+    }
     let condition = greater(near.condition * near.condition, far.condition * far.condition);
     State::solved(Values { t, q, qd, qdd, branch: far.branch, condition, iterations: far.iterations }, 0)
 }
 
 /// Approaches the crossing by steps of half of the remaining time, until the condition is `close`.
-fn approach<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
-    equations: &E,
-    from: &State<T, N>,
-    crossing: T,
-    close: T,
-) -> Option<State<T, N>> {
+fn approach<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, from: &State<T, N>, crossing: T, close: T) -> Option<State<T, N>> {
     let mut near = from.clone();
     for _ in 0..MOST_STEPS {
         if near.condition >= close {
             return Some(near);
         }
-        near = step(equations, &near, T::of(0.5) * (near.t + crossing), false)?;
+        near = step(mechanism, &near, T::of(0.5) * (near.t + crossing), false)?;
     }
     None
 }
 
 /// One step, across the crossing or on this side of it, if it certainly stays on the branch.
-fn step<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
-    equations: &E,
-    here: &State<T, N>,
-    t: T,
-    is_across: bool,
-) -> Option<State<T, N>> {
+#[inline(never)]
+fn step<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &State<T, N>, t: T, is_across: bool) -> Option<State<T, N>> {
     let h = t - here.t;
-    let solver = if is_across { ColdSolver::across(equations, here, h) } else { ColdSolver::from_prediction(equations, here, h) };
+    let solver = if is_across { ColdSolver::across(mechanism, here, h) } else { ColdSolver::from_prediction(mechanism, here, h) };
     // Where a redundant equation does not hold, another branch was taken.
-    let (there, _) = cold_state(equations, t, solver).ok().filter(|(_, off)| off.is_none())?;
-    is_same_branch(equations, here, &there).then_some(there)
+    let (there, _) = cold_state(mechanism, t, solver).ok().filter(|(_, off)| off.is_none())?;
+    is_same_branch(mechanism, here, &there).then_some(there)
 }

@@ -76,13 +76,20 @@ pub fn step_lanes<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
     let result = equations.stages(t, &mut solver);
     let Ok(there) = &result else { return nowhere };
     let Some(StepReport { found, condition, iterations }) = solver.report() else { return nowhere };
-    let found = found.and(moving).and(is_resolved::<T, E, N>(here, &there.q, h));
+    let found = found.and(moving).and(is_resolved([E::LINKS, E::COMPUTED_ANGLES], here, &there.q, h));
     let mut found = found.and(is_surely_finite(sum(h, &there.qdd, E::ITERATED), there.moment(), E::MAY_BE_NON_FINITE));
     // A prediction that was right to half of its digits lies on the same branch; others are checked backwards.
     if iterations > ONE_CORRECTION {
         // Copies, so that the usual case can keep the originals in registers.
         let (here, there) = (state.values.moment(), Coordinates { q: there.q, qd: there.qd, qdd: there.qdd });
-        found = found.and(comes_from(equations, here, h, there.moment(), condition.max(state.condition)));
+        found = found.and(comes_from(
+            equations.characteristic_length(),
+            (E::ITERATED, E::COORDINATES),
+            here,
+            h,
+            there.moment(),
+            condition.max(state.condition),
+        ));
     }
     if !found.not().all() {
         state.extrapolation.follow(h, found, state.values.moment(), there.moment(), E::ITERATED);
@@ -111,12 +118,19 @@ fn step_in_place<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
         return T::Mask::of(false);
     };
     let there = values.moment();
-    let found = found.and(moving).and(is_resolved::<T, E, N>(here, there.q, h));
+    let found = found.and(moving).and(is_resolved([E::LINKS, E::COMPUTED_ANGLES], here, there.q, h));
     // Coordinates are read only once.
     let accelerations = extrapolation.follow(h, found, here, there, E::ITERATED);
     let mut found = found.and(is_surely_finite(h + accelerations, there, E::MAY_BE_NON_FINITE));
     if iterations > ONE_CORRECTION {
-        found = found.and(comes_from(equations, here, h, there, condition.max(values.condition)));
+        found = found.and(comes_from(
+            equations.characteristic_length(),
+            (E::ITERATED, E::COORDINATES),
+            here,
+            h,
+            there,
+            condition.max(values.condition),
+        ));
     }
     if !found.all() {
         values.put_back(found, &before);

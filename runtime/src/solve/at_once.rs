@@ -4,48 +4,10 @@ use nalgebra::{SMatrix, SVector};
 
 use super::{Equations, Solver, SolverReal};
 use crate::linear::Factors;
-use crate::names::{self, Coordinate, Row};
-use crate::newton::{self, Block, Iterate, Problem, Scale, StepError};
-use crate::number::Float;
+use crate::names;
+use crate::newton::{self, Block, Iterate, Part, Scale, StepError};
+use crate::number::{Float, Real};
 use crate::state::Coordinates;
-
-/// A square selection of a mechanism's equations at one time.
-struct Chosen<'a, E: ?Sized, T, const M: usize, const N: usize> {
-    equations: &'a E,
-    /// Their indices in Φ.
-    rows: &'a [usize; N],
-    t: T,
-    scale: Scale<T, N>,
-}
-
-impl<T: Float, E: Equations<T, M, N> + ?Sized, const M: usize, const N: usize> Problem<T, N> for Chosen<'_, E, T, M, N> {
-    type Factors = Factors<T, N>;
-
-    fn linearize(&self, iterate: &Iterate<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
-        let (phi, jacobian) = self.equations.linearize(&iterate.x, self.t);
-        chosen(&phi, &jacobian, self.rows)
-    }
-
-    fn needs_sin_cos(&self) -> &[bool; N] {
-        &[false; N]
-    }
-
-    fn scale(&self) -> &Scale<T, N> {
-        &self.scale
-    }
-
-    fn sizes(&self) -> SVector<T, N> {
-        SVector::from_element(T::of(0.0))
-    }
-
-    fn row(&self, index: usize) -> Row {
-        names::row(E::ROWS, self.rows.get(index).copied().unwrap_or(index))
-    }
-
-    fn coordinate(&self, index: usize) -> Coordinate {
-        names::coordinate(E::COORDINATES, index)
-    }
-}
 
 /// Some rows of Φ and Φ_q. A row that does not exist is zero, and the matrix is singular.
 fn chosen<T: Float, const M: usize, const N: usize>(
@@ -53,11 +15,14 @@ fn chosen<T: Float, const M: usize, const N: usize>(
     jacobian: &SMatrix<T, M, N>,
     rows: &[usize; N],
 ) -> (SVector<T, N>, SMatrix<T, N, N>) {
-    let (is_row, zero) = (|i: usize| rows[i] < M, T::of(0.0));
-    (
-        SVector::from_fn(|i, _| if is_row(i) { phi[rows[i]] } else { zero }),
-        SMatrix::from_fn(|i, j| if is_row(i) { jacobian[(rows[i], j)] } else { zero }),
-    )
+    let zero = T::of(0.0);
+    let mut square = SMatrix::<T, N, N>::from_element(zero);
+    for (column, of_all) in square.data.0.iter_mut().zip(&jacobian.data.0) {
+        for (entry, &row) in column.iter_mut().zip(rows) {
+            *entry = of_all.get(row).copied().unwrap_or(zero);
+        }
+    }
+    (SVector::from(rows.map(|row| phi.get(row).copied().unwrap_or(zero))), square)
 }
 
 /// All equations of a mechanism as one system.
@@ -69,9 +34,7 @@ pub fn at_once<T: SolverReal, E: Equations<T, N, N> + ?Sized, const N: usize>(
     t: T,
     solver: &mut Solver<'_, T, N>,
 ) -> Result<Coordinates<T, N>, StepError<T>> {
-    let all = core::array::from_fn(|index| index);
-    let kinds = core::array::from_fn(|index| names::coordinate(E::COORDINATES, index).kind);
-    let block = Block { unknowns: all, equations: all, kinds, needs_sin_cos: [false; N] };
+    let block = whole::<T, E, N, N>(core::array::from_fn(|row| row));
     let solved = solver.large(&block, [T::of(0.0); N], |iterate| {
         let (phi, jacobian) = equations.linearize(&iterate.x, t);
         (phi.data.0[0], jacobian.transpose().data.0)
@@ -109,6 +72,23 @@ pub fn refined_guess_by_rows<T: Float, E: Equations<T, M, N> + ?Sized, const M: 
     if const { N > LARGEST_WHOLE } {
         return *guess;
     }
-    let chosen = Chosen { equations, rows, t, scale: Scale::of(equations) };
-    newton::solve_from_guess(&chosen, &Iterate::at(*guess, chosen.needs_sin_cos())).map_or(*guess, |position| position.iterate.x)
+    let evaluate = |iterate: &Iterate<T, N>| {
+        let (phi, jacobian) = equations.linearize(&iterate.x, t);
+        chosen(&phi, &jacobian, rows)
+    };
+    let part: Part<'_, T, Factors<T, N>, N> = Part {
+        evaluate: &evaluate,
+        block: &whole::<T, E, M, N>(*rows),
+        scale: Scale::of(equations.characteristic_length(), E::COORDINATES),
+        sizes: SVector::from_element(T::of(0.0)),
+        rows: E::ROWS,
+        coordinates: E::COORDINATES,
+    };
+    newton::refined(&part, &Iterate::at(*guess, &[false; N])).map_or(*guess, |iterate| iterate.x)
+}
+
+/// All coordinates and as many equations as one block.
+fn whole<T: Real, E: Equations<T, M, N> + ?Sized, const M: usize, const N: usize>(equations: [usize; N]) -> Block<N> {
+    let kinds = core::array::from_fn(|index| names::coordinate(E::COORDINATES, index).kind);
+    Block { unknowns: core::array::from_fn(|index| index), equations, kinds, needs_sin_cos: [false; N] }
 }

@@ -5,15 +5,14 @@
 
 use core::cell::Cell;
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
+use super::block::{Manner, Start};
 use super::solver::bound;
-use super::{ColdStart, SolverReal, lengths_of};
-use crate::linear::{Linear, regular_part};
-use crate::names::{self, Cause, Coordinate, CoordinateKind, Culprit, Description, Row};
-use crate::newton::{
-    self, Block, Evaluate, Iterate, LONGEST_PREDICTION, NewtonError, Part, Position, Problem, Scale, Solved, StepError, TrackError,
-};
+use super::{ColdStart, Followed, SolverReal, lengths_of, once};
+use crate::linear::Linear;
+use crate::names::{self, Cause, Coordinate, CoordinateKind, Row};
+use crate::newton::{Block, Evaluate, Iterate, Part, Scale, Solved, StepError};
 use crate::number::order::greater;
 use crate::number::{DetSign, Float};
 use crate::state::State;
@@ -36,12 +35,19 @@ pub struct ColdSolver<'a, T: Float, const N: usize> {
 enum Origin<'a, T, const N: usize> {
     /// A prediction from this state, `h` seconds before; across a change point determinants may change their signs.
     Prediction { here: &'a State<T, N>, h: T, is_across: bool },
-    /// A rough guess of q.
-    Guess(&'a SVector<T, N>),
-    /// Nothing is solved: q is given, and the block nearest to singular is looked for.
-    Inspection(&'a SVector<T, N>),
-    /// A position between two crossing branches: it is corrected only in the directions that the equations determine.
-    Crossing(&'a SVector<T, N>),
+    /// This q.
+    Position(&'a SVector<T, N>, Use),
+}
+
+/// Uses of a given q.
+#[derive(Clone, Copy)]
+enum Use {
+    /// It is a rough guess.
+    Guess,
+    /// Nothing is solved, and the block nearest to singular is looked for.
+    Inspection,
+    /// It lies between two crossing branches, and is corrected only in the directions that the equations determine.
+    Crossing,
 }
 
 /// The result of a cold start.
@@ -58,39 +64,37 @@ pub(crate) struct ColdReport<T, const N: usize> {
     /// Of the verified equations that do not hold, the one with the largest residual by its bound: its index in Φ, its residual,
     /// and the residual divided by the bound.
     pub(crate) off: Option<(usize, T, T)>,
-    /// Whether there are equations to be verified.
-    pub(crate) is_verified: bool,
 }
 
 impl<'a, T: Float, const N: usize> ColdSolver<'a, T, N> {
-    fn new<E: Description<T, N> + ?Sized>(equations: &E, origin: Origin<'a, T, N>, branch: [DetSign; N]) -> Self {
-        let report = Cell::new(ColdReport { branch, condition: T::of(1.0), iterations: 0, worst: None, off: None, is_verified: false });
-        Self { origin, lengths: lengths_of(equations), rows: E::ROWS, coordinates: E::COORDINATES, report }
+    fn new(mechanism: &Followed<'_, T, N>, origin: Origin<'a, T, N>, branch: [DetSign; N]) -> Self {
+        let report = Cell::new(ColdReport { branch, condition: T::of(1.0), iterations: 0, worst: None, off: None });
+        Self { origin, lengths: lengths_of(mechanism.length), rows: mechanism.rows, coordinates: mechanism.coordinates, report }
     }
 
     /// From a state to a moment `h` (s) later.
-    pub(crate) fn from_prediction<E: Description<T, N> + ?Sized>(equations: &E, here: &'a State<T, N>, h: T) -> Self {
-        Self::new(equations, Origin::Prediction { here, h, is_across: false }, here.branch)
+    pub(crate) fn from_prediction(mechanism: &Followed<'_, T, N>, here: &'a State<T, N>, h: T) -> Self {
+        Self::new(mechanism, Origin::Prediction { here, h, is_across: false }, here.branch)
     }
 
     /// From a state to a moment `h` (s) later, on the other side of a change point.
-    pub(crate) fn across<E: Description<T, N> + ?Sized>(equations: &E, here: &'a State<T, N>, h: T) -> Self {
-        Self::new(equations, Origin::Prediction { here, h, is_across: true }, here.branch)
+    pub(crate) fn across(mechanism: &Followed<'_, T, N>, here: &'a State<T, N>, h: T) -> Self {
+        Self::new(mechanism, Origin::Prediction { here, h, is_across: true }, here.branch)
     }
 
     /// From a rough guess of q.
-    pub(crate) fn from_guess<E: Description<T, N> + ?Sized>(equations: &E, guess: &'a SVector<T, N>) -> Self {
-        Self::new(equations, Origin::Guess(guess), [DetSign::Positive; N])
+    pub(crate) fn from_guess(mechanism: &Followed<'_, T, N>, guess: &'a SVector<T, N>) -> Self {
+        Self::new(mechanism, Origin::Position(guess, Use::Guess), [DetSign::Positive; N])
     }
 
     /// At a given q.
-    pub(crate) fn inspection<E: Description<T, N> + ?Sized>(equations: &E, q: &'a SVector<T, N>) -> Self {
-        Self::new(equations, Origin::Inspection(q), [DetSign::Positive; N])
+    pub(crate) fn inspection(mechanism: &Followed<'_, T, N>, q: &'a SVector<T, N>) -> Self {
+        Self::new(mechanism, Origin::Position(q, Use::Inspection), [DetSign::Positive; N])
     }
 
     /// Next to q, at which branches cross.
-    pub(crate) fn at_crossing<E: Description<T, N> + ?Sized>(equations: &E, q: &'a SVector<T, N>) -> Self {
-        Self::new(equations, Origin::Crossing(q), [DetSign::Positive; N])
+    pub(crate) fn at_crossing(mechanism: &Followed<'_, T, N>, q: &'a SVector<T, N>) -> Self {
+        Self::new(mechanism, Origin::Position(q, Use::Crossing), [DetSign::Positive; N])
     }
 
     /// The result so far.
@@ -127,36 +131,22 @@ impl<T: Float, const N: usize> ColdStart<T, N> for ColdSolver<'_, T, N> {
             coordinates: self.coordinates,
         };
         let first = block.unknowns.first().copied().unwrap_or(0);
-        let picked = |q: &SVector<T, N>| Iterate::at(SVector::from_fn(|k, _| of(q, block.unknowns[k])), &block.needs_sin_cos);
         let mut report = self.report.get();
-        let position = match &self.origin {
+        let (x, manner) = match self.origin {
             Origin::Prediction { here, h, is_across } => {
                 part.scale = grown(part.scale, block, &here.q);
-                let sign = here.branch.get(first).copied().filter(|_| !is_across);
-                let position = follow(&part, here, *h, &block.unknowns, sign)?;
-                if sign.is_some_and(|before| before != position.factors.det_sign()) {
-                    return Err(StepError::Far);
-                }
-                position
+                let (x, way) = predicted(here, h, block);
+                (x, Manner::Tracking { way, sign: here.branch.get(first).copied().filter(|_| !is_across) })
             }
-            Origin::Guess(guess) => newton::solve_from_guess(&part, &picked(guess)).map_err(|error| open(&part, error))?,
-            Origin::Inspection(q) => {
-                let iterate = picked(q);
-                let (_, jacobian) = part.linearize(&iterate);
-                let factors = L::factor(&jacobian).map_err(|row| StepError::NotFinite(Culprit::Row(part.row(row))))?;
-                // A link without length leaves its angle open, however exact its row is.
-                let condition = greater(factors.condition(&part.sizes, &part.scale.reciprocal), part.weakness(&L::dense(&jacobian)));
-                if report.worst.is_none() || condition > report.condition {
-                    report.worst = Some(part.singular(&iterate));
-                }
-                Position { iterate, factors, condition, iterations: 0 }
-            }
-            Origin::Crossing(q) => {
-                let iterate = settled(&part, picked(q))?;
-                let factors = L::factor(&part.linearize(&iterate).1).map_err(|row| StepError::NotFinite(Culprit::Row(part.row(row))))?;
-                Position { iterate, factors, condition: T::of(1.0), iterations: SETTLING }
+            Origin::Position(q, Use::Guess) => (picked(q, block), Manner::FromGuess),
+            Origin::Position(q, Use::Crossing) => (picked(q, block), Manner::Settling),
+            Origin::Position(q, Use::Inspection) => {
+                (picked(q, block), Manner::Inspection { known: report.worst.map(|_| report.condition) })
             }
         };
+        let start = Start { iterate: Iterate::at(x, &block.needs_sin_cos), manner };
+        let (position, worse) = once::solved(&part, &start)?;
+        report.worst = worse.or(report.worst);
         if let Some(sign) = report.branch.get_mut(first) {
             *sign = position.factors.det_sign();
         }
@@ -168,7 +158,6 @@ impl<T: Float, const N: usize> ColdStart<T, N> for ColdSolver<'_, T, N> {
 
     fn check(&self, row: usize, residual: T, size: T) {
         let mut report = self.report.get();
-        report.is_verified = true;
         let bound = bound(report.condition, size);
         let holds = residual.abs() <= bound;
         // NaN never holds, and no residual is off by more.
@@ -179,33 +168,6 @@ impl<T: Float, const N: usize> ColdStart<T, N> for ColdSolver<'_, T, N> {
         }
         self.report.set(report);
     }
-}
-
-/// Number of corrections of a position between two crossing branches; half of its digits are already right in the directions that
-/// are corrected.
-const SETTLING: usize = 2;
-
-/// At a crossing residuals are at most this many roundings of their terms; where two branches only come close, a gap remains.
-const GAP: f64 = 8.0;
-
-/// An iterate at which the equations hold to rounding, corrected in the directions that they determine.
-///
-/// # Errors
-/// If a gap remains.
-fn settled<T: Float, P: Problem<T, K>, const K: usize>(problem: &P, mut iterate: Iterate<T, K>) -> Result<Iterate<T, K>, StepError<T>> {
-    let column = &problem.scale().column;
-    for _ in 0..SETTLING {
-        let (phi, jacobian) = problem.linearize(&iterate);
-        let (sizes, rows) = (newton::sizes(problem, &jacobian), P::Factors::dense(&jacobian));
-        let scaled = SMatrix::<T, K, K>::from_fn(|i, j| rows[(i, j)] * column[j] / sizes[i]);
-        let residual = SVector::<T, K>::from_fn(|i, _| -phi[i] / sizes[i]);
-        let correction = regular_part(&scaled, &residual).ok_or(StepError::Far)?;
-        iterate = iterate.moved(T::of(1.0), &SVector::from_fn(|j, _| correction[j] * column[j]), problem.needs_sin_cos());
-    }
-    let (phi, jacobian) = problem.linearize(&iterate);
-    let sizes = newton::sizes(problem, &jacobian);
-    let holds = phi.iter().zip(&sizes).all(|(residual, &size)| residual.abs() <= T::of(GAP) * T::EPSILON * size);
-    if holds { Ok(iterate) } else { Err(StepError::Far) }
 }
 
 /// A length larger than L is scaled by its own value.
@@ -219,50 +181,24 @@ fn grown<T: Float, const K: usize, const N: usize>(mut scale: Scale<T, K>, block
     scale
 }
 
-/// Tracks from the prediction q + h q̇ + h² q̈ / 2.
-fn follow<T: Float, P: Problem<T, K>, const K: usize, const N: usize>(
-    problem: &P,
-    here: &State<T, N>,
-    h: T,
-    unknowns: &[usize; K],
-    sign: Option<DetSign>,
-) -> Result<Position<T, P::Factors, K>, StepError<T>> {
+/// The prediction q + h q̇ + h² q̈ / 2, and the distance of each unknown from the state.
+fn predicted<T: Float, const K: usize, const N: usize>(here: &State<T, N>, h: T, block: &Block<K>) -> (SVector<T, K>, SVector<T, K>) {
     let mut x = SVector::from_element(T::of(0.0));
     let mut way = x;
-    for k in 0..K {
-        let i = unknowns[k];
+    for (k, &i) in block.unknowns.iter().enumerate() {
         let (first, second) = (h * of(&here.qd, i), h * h * T::of(0.5) * of(&here.qdd, i));
         x[k] = of(&here.q, i) + (first + second);
         way[k] = first.abs() + second.abs();
     }
-    // Angles are periodic: a long prediction may lead to the solution a whole turn away.
-    if problem.scale().norm(&way) > T::of(LONGEST_PREDICTION) {
-        return Err(StepError::Far);
-    }
-    Ok(newton::track(problem, &Iterate::at(x, problem.needs_sin_cos()), sign)?)
+    (x, way)
+}
+
+/// The unknowns of a block.
+fn picked<T: Float, const K: usize, const N: usize>(q: &SVector<T, N>, block: &Block<K>) -> SVector<T, K> {
+    SVector::from(block.unknowns.map(|unknown| of(q, unknown)))
 }
 
 /// The entry of an unknown, whose index is in range.
 fn of<T: Float, const N: usize>(vector: &SVector<T, N>, unknown: usize) -> T {
     vector.get(unknown).copied().unwrap_or(T::of(f64::NAN))
-}
-
-/// Why a block was not solved from a guess.
-fn open<T: Float, P: Problem<T, K>, const K: usize>(problem: &P, error: NewtonError<T, K>) -> StepError<T> {
-    match error {
-        NewtonError::NotFinite(of) => StepError::NotFinite(of),
-        NewtonError::Singular(iterate) | NewtonError::Stuck(iterate) => {
-            StepError::Open(problem.widest_gap(&iterate).unwrap_or_else(|| problem.singular(&iterate)))
-        }
-        NewtonError::NoConvergence { correction, iterations } => StepError::Open(Cause::NoConvergence { correction, iterations }),
-    }
-}
-
-impl<T> From<TrackError> for StepError<T> {
-    fn from(error: TrackError) -> Self {
-        match error {
-            TrackError::NotFinite(of) => StepError::NotFinite(of),
-            TrackError::Singular | TrackError::Far => StepError::Far,
-        }
-    }
 }

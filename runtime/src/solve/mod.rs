@@ -1,10 +1,13 @@
 //! One solution of a mechanism at one time: block by block, by warm steps or from a cold start.
 
 mod at_once;
+mod block;
 mod cold;
 mod commanded;
 mod equations;
 mod family;
+mod followed;
+mod once;
 mod real;
 mod solver;
 mod stages;
@@ -15,6 +18,7 @@ pub(crate) use cold::{ColdReport, ColdSolver};
 pub use commanded::{Commanded, later};
 pub use equations::Equations;
 pub use family::Family;
+pub(crate) use followed::Followed;
 pub(crate) use real::lengths_of;
 pub use real::{ColdStart, NoColdStart, SolverReal};
 pub use solver::Solver;

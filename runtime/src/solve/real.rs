@@ -1,7 +1,6 @@
 //! Number types of the solver, each with its fallback if a warm step fails.
 
 use crate::linear::{FactorReal, Linear};
-use crate::names::Description;
 use crate::newton::{Block, Evaluate, Solved, StepError, length_of};
 use crate::number::SimdReal;
 
@@ -63,9 +62,9 @@ impl<T: SolverReal, const N: usize> ColdStart<T, N> for NoColdStart {
     }
 }
 
-/// L in m, and 1/L.
+/// L in m, and 1/L, of a mechanism with this characteristic length (m).
 #[inline(always)]
-pub(crate) fn lengths_of<T: SimdReal, E: Description<T, N> + ?Sized, const N: usize>(equations: &E) -> (T, T) {
-    let length = length_of(equations.characteristic_length());
+pub(crate) fn lengths_of<T: SimdReal>(characteristic: T) -> (T, T) {
+    let length = length_of(characteristic);
     (length, T::of(1.0) / length)
 }

@@ -61,7 +61,7 @@ impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
     /// A warm start from a previous state.
     #[inline(always)]
     pub(crate) fn warm<E: Description<T, N> + ?Sized>(equations: &E, predictor: Predictor<'a, T, N>) -> Self {
-        let (length, reciprocal) = lengths_of(equations);
+        let (length, reciprocal) = lengths_of(equations.characteristic_length());
         let report = StepReport { found: T::Mask::of(true), condition: T::of(1.0), iterations: 0 };
         Self(Method::WarmStart(WarmStart { predictor, length, reciprocal, report }))
     }

@@ -23,6 +23,9 @@ pub trait Stages<T: SolverReal, const N: usize>: Description<T, N> {
     /// neighbour, and beyond such a pose the link lies on its other side; each step tests that it does not.
     const LINKS: &'static [usize] = &[];
 
+    /// Whether equations are [verified](Solver::check) instead of solved, because they follow from the others.
+    const IS_REDUNDANT: bool = false;
+
     /// Unknowns that are iterated and therefore predicted.
     const ITERATED: &'static [usize] = &ALL;
 

@@ -8,7 +8,7 @@ use super::functions::Emitter;
 use super::literal::{number, vector_type};
 use crate::plan::{Solution, Solving, StraightLine, Summary, Words, tested};
 use crate::quantity::{Dim, Role};
-use crate::system::{COSINES, Equation};
+use crate::system::Equation;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 use std::collections::{BTreeMap, BTreeSet};
@@ -49,12 +49,10 @@ impl Emitter<'_> {
     pub(super) fn lists(&self, solution: &Solution, shelf: &StateLayout) -> TokenStream {
         let (angles, iterated) = (self.computed_angles(solution, shelf), iterated(solution, shelf));
         let unsure = unsure(solution, shelf);
-        let cosines = |body: &usize| Literal::usize_unsuffixed(self.system.coordinates.len() + COSINES * body);
-        let links: Vec<Literal> = self.system.links.iter().map(cosines).collect();
-        let links = (!links.is_empty()).then(|| quote!(const LINKS: &'static [::core::primitive::usize] = &[#(#links),*];));
+        let tested = self.tested(solution, shelf);
         quote! {
             #angles
-            #links
+            #tested
             #iterated
             const MAY_BE_NON_FINITE: ::core::option::Option<&'static [::core::primitive::usize]> = ::core::option::Option::Some(&[#unsure]);
         }
@@ -63,8 +61,22 @@ impl Emitter<'_> {
     /// The same of a slice
     pub(super) fn lists_of_slice(&self, solution: &Solution, shelf: &StateLayout) -> TokenStream {
         let (angles, iterated) = (self.computed_angles(solution, shelf), iterated(solution, shelf));
-        let unsure = unsure(solution, shelf);
-        quote!(#angles #iterated const MAY_BE_NON_FINITE: &'static [::core::primitive::usize] = &[#unsure];)
+        let (unsure, tested) = (unsure(solution, shelf), self.tested(solution, shelf));
+        quote!(#angles #tested #iterated const MAY_BE_NON_FINITE: &'static [::core::primitive::usize] = &[#unsure];)
+    }
+
+    /// The binary links, and whether equations are verified, where there are any
+    fn tested(&self, solution: &Solution, shelf: &StateLayout) -> TokenStream {
+        let links = self.system.links.iter().filter_map(|body| shelf.place(self.system.entries_of(*body).start));
+        let links: Vec<Literal> = links.map(Literal::usize_unsuffixed).collect();
+        let links = (!links.is_empty()).then(|| quote!(const LINKS: &'static [::core::primitive::usize] = &[#(#links),*];));
+        let is_redundant = solution.stages.iter().any(|stage| matches!(stage, Summary::Check(_)));
+        let is_redundant = is_redundant.then(|| {
+            quote!(
+                const IS_REDUNDANT: ::core::primitive::bool = true;
+            )
+        });
+        quote!(#links #is_redundant)
     }
 
     /// Computed angles that move

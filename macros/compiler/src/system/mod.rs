@@ -30,6 +30,7 @@ use crate::quantity::{Ambient, Axis, Dim, Role, SpeedRole};
 use crate::structure::Pattern;
 use crate::syntax::ast::Task;
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 
 pub use balance::Balance;
 pub use declared::DeclaredEquations;
@@ -177,6 +178,12 @@ impl System {
     #[must_use]
     pub fn width(&self) -> usize {
         self.coordinates.len() + COSINES * self.frames.len()
+    }
+
+    /// The entries of a state that are the rotation matrix of a body in space.
+    pub(crate) fn entries_of(&self, body: usize) -> Range<usize> {
+        let first = self.coordinates.len() + COSINES * body;
+        first..first + COSINES
     }
 
     /// The equations as declared, in the order of joints, without those of freedoms, which hold at the start only.

@@ -17,12 +17,12 @@ pub struct GradientFactors<T: Float, F, S: Storage<T, P, K>, const P: usize, con
 }
 
 /// Storage format of a matrix.
-pub trait Storage<T: Float, const P: usize, const K: usize> {
+pub trait Storage<T: Float, const P: usize, const K: usize>: 'static {
     /// A matrix of numbers with derivatives.
-    type Matrix: Copy + fmt::Debug;
+    type Matrix: Copy + fmt::Debug + 'static;
 
     /// A matrix of numbers.
-    type Values;
+    type Values: 'static;
 
     /// The matrix without derivatives.
     fn values(matrix: &Self::Matrix) -> Self::Values;

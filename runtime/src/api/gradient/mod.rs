@@ -257,7 +257,8 @@ where
     E::Over<Gradient<T, P>>: Stages<Gradient<T, P>, N>,
 {
     mechanism.validate().map_err(Cause::ParameterOutOfRange)?;
-    let differentiation = Differentiation { q: &state.q, lengths: lengths_of(mechanism), coordinates: E::COORDINATES };
+    let differentiation =
+        Differentiation { q: &state.q, lengths: lengths_of(mechanism.characteristic_length()), coordinates: E::COORDINATES };
     let there = &mut there.values;
     match varied.stages(Gradient::constant(state.t), &mut Solver::cold(&differentiation)) {
         Ok(found) => (there.q, there.qd, there.qdd) = (found.q, found.qd, found.qdd),

@@ -1,0 +1,78 @@
+//! Blocks of one to three unknowns, the most frequent ones: their cold start is compiled with this crate, once for each size and
+//! number type, instead of with each mechanism.
+//!
+//! A generic function is compiled where its types are known, in the user's crate. So these types are asked for one by one.
+
+use core::any::Any;
+
+use nalgebra::{SMatrix, SVector};
+
+use super::block::{self, Outcome, Start};
+use crate::linear::{Linear, Small};
+use crate::newton::{Iterate, Part, Scale, StepError};
+use crate::number::Float;
+
+/// The functions that are compiled here, and the choice among them.
+macro_rules! compiled {
+    ($($function:ident: $float:ident, $size:literal;)*) => {
+        $(
+            fn $function(
+                part: &Part<'_, $float, Small<$float, $size>, $size>,
+                start: &Start<$float, $size>,
+            ) -> Outcome<$float, Small<$float, $size>, $size> {
+                block::solved(part, start)
+            }
+        )*
+
+        /// Solves a block.
+        pub(super) fn solved<T: Float, L: Linear<T, K>, const K: usize>(part: &Part<'_, T, L, K>, start: &Start<T, K>) -> Outcome<T, L, K> {
+            // Constant conditions, so that nothing else is compiled for these blocks.
+            $(
+                if const { L::IS_SMALL && K == $size && size_of::<T>() == size_of::<$float>() } {
+                    return known(part, start, $function).unwrap_or(Err(StepError::Far));
+                }
+            )*
+            block::solved(part, start)
+        }
+    };
+}
+
+compiled! {
+    one: f64, 1;
+    two: f64, 2;
+    three: f64, 3;
+    one_single: f32, 1;
+    two_single: f32, 2;
+    three_single: f32, 3;
+}
+
+/// The outcome of `solve`, if F, `Small<F, S>` and S are T, L and K.
+fn known<T: Float, L: Linear<T, K>, F: Float, const K: usize, const S: usize>(
+    part: &Part<'_, T, L, K>,
+    start: &Start<T, K>,
+    solve: fn(&Part<'_, F, Small<F, S>, S>, &Start<F, S>) -> Outcome<F, Small<F, S>, S>,
+) -> Option<Outcome<T, L, K>> {
+    let evaluate = |iterate: &Iterate<F, S>| {
+        let linearized = same(iterate).and_then(|iterate| owned((part.evaluate)(iterate)));
+        linearized.unwrap_or_else(|| (SVector::from_element(F::of(f64::NAN)), SMatrix::from_element(F::of(f64::NAN))))
+    };
+    let known: Part<'_, F, Small<F, S>, S> = Part {
+        evaluate: &evaluate,
+        block: same(part.block)?,
+        scale: same::<_, Scale<F, S>>(&part.scale)?.clone(),
+        sizes: *same(&part.sizes)?,
+        rows: part.rows,
+        coordinates: part.coordinates,
+    };
+    owned(solve(&known, same(start)?))
+}
+
+/// A value as one of type B, if B is A.
+fn same<A: Any, B: Any>(value: &A) -> Option<&B> {
+    (value as &dyn Any).downcast_ref()
+}
+
+/// The same for a value that is handed on.
+fn owned<A: Any, B: Any>(value: A) -> Option<B> {
+    (&mut Some(value) as &mut dyn Any).downcast_mut::<Option<B>>()?.take()
+}
