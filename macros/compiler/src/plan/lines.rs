@@ -7,6 +7,7 @@ use super::stage::{Iteration, Origin, Stage};
 use super::words::Words;
 use crate::expr::{Arena, Expr, Leaf, Node, Unary};
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 
 /// Stages as straight-line code.
 #[derive(Clone, Debug)]
@@ -88,6 +89,8 @@ pub(super) struct PlanContext<'a> {
     pub(super) is_angle: &'a [bool],
     /// By equation: its joint.
     pub(super) joints: &'a [usize],
+    /// The entries of the rotation matrix of each binary link.
+    pub(super) links: &'a [Range<usize>],
 }
 
 /// Stages over `n` unknowns as straight-line code; sine and cosine of the `turned` unknowns are given.

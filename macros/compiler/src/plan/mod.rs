@@ -58,6 +58,7 @@ use joints::Joints;
 use lines::PlanContext;
 use rolled::Cell;
 use shape::Tracer;
+use std::ops::Range;
 
 /// Plan of all generated code.
 #[derive(Clone, Debug)]
@@ -217,7 +218,8 @@ fn solving(
     let is_angle = |index: usize| system.coordinates.get(index).is_some_and(|unknown| unknown.role == Role::Angle);
     let is_angle: Vec<bool> = (0..system.width()).map(is_angle).collect();
     let joints: Vec<usize> = system.equations.iter().map(|equation| equation.joint).collect();
-    let frame = PlanContext { arena, tracer, words, is_angle: &is_angle, joints: &joints };
+    let links: Vec<Range<usize>> = system.links.iter().map(|body| system.entries_of(*body)).collect();
+    let frame = PlanContext { arena, tracer, words, is_angle: &is_angle, joints: &joints, links: &links };
     let slice = |(output, jerks): (&OutputMotion, &Option<Jerks>)| {
         let components = output.components.len() + jerks.as_ref().map_or(0, |jerks| jerks.components.len());
         let is_angle: Vec<bool> = is_angle.iter().copied().chain((0..components).map(|_| false)).collect();
