@@ -46,11 +46,14 @@ compiled! {
     three_single: f32, 3;
 }
 
+/// A cold start that is compiled here.
+type Compiled<F, const S: usize> = fn(&Part<'_, F, Small<F, S>, S>, &Start<F, S>) -> Outcome<F, Small<F, S>, S>;
+
 /// The outcome of `solve`, if F, `Small<F, S>` and S are T, L and K.
 fn known<T: Float, L: Linear<T, K>, F: Float, const K: usize, const S: usize>(
     part: &Part<'_, T, L, K>,
     start: &Start<T, K>,
-    solve: fn(&Part<'_, F, Small<F, S>, S>, &Start<F, S>) -> Outcome<F, Small<F, S>, S>,
+    solve: Compiled<F, S>,
 ) -> Option<Outcome<T, L, K>> {
     let evaluate = |iterate: &Iterate<F, S>| {
         let linearized = same(iterate).and_then(|iterate| owned((part.evaluate)(iterate)));
