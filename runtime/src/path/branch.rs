@@ -64,8 +64,7 @@ const ROUNDINGS: f64 = 4.0;
 ///
 /// * `length`: given, the characteristic length in m.
 /// * `condition`: given, the larger one of both states.
-#[cold]
-#[inline(never)]
+#[inline]
 pub(super) fn comes_from<T: SolverReal, const N: usize>(
     length: T,
     (iterated, coordinates): (&[usize], &[Coordinate]),

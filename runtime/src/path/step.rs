@@ -82,14 +82,7 @@ pub fn step_lanes<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
     if iterations > ONE_CORRECTION {
         // Copies, so that the usual case can keep the originals in registers.
         let (here, there) = (state.values.moment(), Coordinates { q: there.q, qd: there.qd, qdd: there.qdd });
-        found = found.and(comes_from(
-            equations.characteristic_length(),
-            (E::ITERATED, E::COORDINATES),
-            here,
-            h,
-            there.moment(),
-            condition.max(state.condition),
-        ));
+        found = found.and(returns(equations, here, h, there.moment(), condition.max(state.condition)));
     }
     if !found.not().all() {
         state.extrapolation.follow(h, found, state.values.moment(), there.moment(), E::ITERATED);
@@ -123,14 +116,7 @@ fn step_in_place<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
     let accelerations = extrapolation.follow(h, found, here, there, E::ITERATED);
     let mut found = found.and(is_surely_finite(h + accelerations, there, E::MAY_BE_NON_FINITE));
     if iterations > ONE_CORRECTION {
-        found = found.and(comes_from(
-            equations.characteristic_length(),
-            (E::ITERATED, E::COORDINATES),
-            here,
-            h,
-            there,
-            condition.max(values.condition),
-        ));
+        found = found.and(returns(equations, here, h, there, condition.max(values.condition)));
     }
     if !found.all() {
         values.put_back(found, &before);
@@ -140,6 +126,19 @@ fn step_in_place<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
         state.accept(t, &Step { h, found, condition, iterations });
     }
     found
+}
+
+/// Whether the prediction backwards meets the state before, as [`comes_from`] defines it.
+#[cold]
+#[inline(never)]
+fn returns<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    here: Moment<'_, T, N>,
+    h: T,
+    there: Moment<'_, T, N>,
+    condition: T,
+) -> T::Mask {
+    comes_from(equations.characteristic_length(), (E::ITERATED, E::COORDINATES), here, h, there, condition)
 }
 
 /// The sum of a number and these entries.
