@@ -390,3 +390,51 @@ fn definitions_add_masses_at_points() {
     let found = mechanism.loads(&state).pin().force;
     assert!((found.x - force[0]).abs() < 1e-12 && (found.y - force[1] - 3.5 * 9.81).abs() < 1e-12, "{found}");
 }
+
+mechanism! {
+    /// A body in space and a pendulum's bob, with masses that are parameters.
+    mechanism Weighed in space {
+        param mass: Mass = 2kg;
+        param about_y: Inertia = 0.2kgm2;
+        param about_z: Inertia = 0.3kgm2;
+        ground { point O = (0m, 0m, 0m); }
+        body top { mass = mass; center = (0.5m, 0m, 0m); inertia = (0.1kgm2, about_y, about_z); }
+        joint pivot = spherical(ground.O, top.position);
+        gravity = (0m_s2, 0m_s2, -9.81m_s2);
+        freedom spin = top.angular_velocity from (0rad_s, 1rad_s, 0rad_s);
+    }
+}
+
+mechanism! {
+    /// In the plane.
+    mechanism Bob {
+        param mass: Mass = 2kg;
+        param inertia: Inertia = 0.2kgm2;
+        ground { point O = (0m, 0m); }
+        body bob { mass = mass; center = (0.5m, 0m); inertia = inertia; }
+        joint pivot = revolute(ground.O, bob.position);
+        gravity = (0m_s2, -9.81m_s2);
+        freedom swing = bob.angle from 0deg;
+    }
+}
+
+/// What the compiler refuses of the defaults (E1103) is refused of other values when there are any.
+#[test]
+fn impossible_masses_of_parameters_are_refused() {
+    let weighed = |mass, about_y, about_z| Weighed { mass, about_y, about_z }.initial_state().map(|_| ()).map_err(|why| why.to_string());
+    // 0.3 = 0.1 + 0.2 is a plate; a millionth beyond may be rounding.
+    for [about_y, about_z] in [[0.2, 0.3], [0.3, 0.2], [0.25, 0.25], [0.2, 0.3 + 1e-6]] {
+        assert_eq!(weighed(2.0, about_y, about_z), Ok(()), "{about_y} {about_z}");
+    }
+    for [about_y, about_z] in [[0.2, 0.31], [0.31, 0.2], [0.04, 0.05], [-0.2, 0.3], [0.2, -0.001]] {
+        let why = weighed(2.0, about_y, about_z).expect_err("no such body");
+        assert!(why.contains("`top.inertia`") && why.contains("`about_y`, `about_z`"), "{why}");
+    }
+    let why = weighed(-0.2, 0.2, 0.3).expect_err("no such body");
+    assert_eq!(why, "the parameter `mass` is -0.2 kg: a mass must not be negative (`top.mass`)");
+
+    let bob = |mass, inertia| Bob { mass, inertia }.initial_state().map(|_| ()).map_err(|why| why.to_string());
+    assert_eq!(bob(0.0, 0.2), Ok(()));
+    let why = bob(2.0, -0.1).expect_err("no such body");
+    assert_eq!(why, "the parameter `inertia` is -0.1 m²·kg: an inertia must not be negative (`bob.inertia`)");
+}

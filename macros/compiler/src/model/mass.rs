@@ -1,8 +1,12 @@
 //! Masses of bodies.
 
+use super::{Relation, Requirement};
 use crate::diag::ValueFact;
 use crate::expr::{Arena, Expr};
-use crate::quantity::is_inertia;
+use crate::quantity::{Dim, is_inertia};
+
+/// One part in so many of a moment of inertia may be a rounding error.
+const ALL: i64 = 65_536;
 
 /// A mass fixed in a body and its distribution; undeclared parts are zero.
 #[derive(Clone, Debug, Default)]
@@ -36,6 +40,34 @@ impl Mass {
             }
         }
         None
+    }
+
+    /// Conditions on the parameters of a mass, for values other than the defaults: nothing is negative, and the second moments along the axes of
+    /// the body are not either.
+    pub(crate) fn requirements(&self, arena: &mut Arena, body: &str) -> Vec<Requirement> {
+        let rhs = arena.integer(0);
+        let require = |lhs, dim, what, why: &str| {
+            let (joint, why) = (format!("{body}.{what}"), why.to_owned());
+            Requirement { lhs, relation: Relation::GreaterOrEqual, rhs, dim, joint, why }
+        };
+        let mut found: Vec<Requirement> =
+            self.mass.iter().map(|mass| require(*mass, Dim::MASS, "mass", "a mass must not be negative")).collect();
+        match self.inertia.as_deref() {
+            Some([about_z]) => found.push(require(*about_z, Dim::INERTIA, "inertia", "an inertia must not be negative")),
+            Some([xx, yy, zz, ..]) => {
+                // Rounding errors may exceed the bound, on which thin plates and rods lie, also those of `f32`.
+                let [almost_all, all] = [ALL - 1, ALL].map(|number| arena.integer(number));
+                let share = arena.div(almost_all, all);
+                for [one, two, third] in [[*xx, *yy, *zz], [*yy, *zz, *xx], [*zz, *xx, *yy]] {
+                    let (sum, third) = (arena.add(one, two), arena.mul(share, third));
+                    let rest = arena.sub(sum, third);
+                    found.push(require(rest, Dim::INERTIA, "inertia", "two moments of inertia less the third must not be negative"));
+                }
+            }
+            _ => {}
+        }
+        found.retain(|requirement| !arena.leaves(requirement.lhs).is_empty());
+        found
     }
 
     /// True if it is certain that nothing is there.

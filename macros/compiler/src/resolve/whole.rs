@@ -44,7 +44,10 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     work.fixed_values_are_finite(&parameters);
     let range = work.times(&register, &parameters);
     let sketch = work.sketch(&register);
-    let Elaborator { arena, functions, requirements, space, energies, lengths: of_lengths, .. } = work;
+    let Elaborator { mut arena, functions, mut requirements, space, energies, lengths: of_lengths, .. } = work;
+    for body in &bodies {
+        requirements.extend(body.masses.iter().flat_map(|mass| mass.requirements(&mut arena, &body.name.to_string())));
+    }
     let model = Model {
         arena,
         docs: tree.docs.clone(),
