@@ -438,3 +438,22 @@ fn impossible_masses_of_parameters_are_refused() {
     let why = bob(2.0, -0.1).expect_err("no such body");
     assert_eq!(why, "the parameter `inertia` is -0.1 m²·kg: an inertia must not be negative (`bob.inertia`)");
 }
+
+mechanism! {
+    /// A stone on a ball joint at its centre.
+    mechanism Held in space {
+        param inertia: Inertia = 0.2kgm2;
+        body stone { mass = 1kg; inertia = (inertia, inertia, inertia); }
+        joint ball = spherical(ground.position, stone.position);
+        freedom spin = stone.angular_velocity from (0rad_s, 0rad_s, 1rad_s);
+    }
+}
+
+/// A message speaks of what the reader declared, and not of components of quaternions.
+#[test]
+fn a_body_that_turns_without_inertia_is_named() {
+    assert_eq!(Held::default().initial_state().map(|_| ()), Ok(()));
+    let why = Held { inertia: 0.0 }.initial_state().map(|_| ()).map_err(|why| why.to_string());
+    let wanted = "at t = 0 s no mass or inertia resists a turning of `stone`; give a body that turns with it an inertia";
+    assert_eq!(why, Err(wanted.to_owned()));
+}
