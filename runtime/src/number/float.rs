@@ -13,6 +13,10 @@ pub trait Float: Scalar {
     #[doc(hidden)]
     type Pair: Pair<Self>;
 
+    /// Whether this is one of Rust's own numbers, for which the crate compiles what other types compile where they are used.
+    #[doc(hidden)]
+    const IS_PRIMITIVE: bool = false;
+
     /// The greatest power of two that is not above |`self`|; 1 for zero, subnormal, infinite and NaN.
     ///
     /// Multiplying by it and dividing by it are exact, which makes it the right number to scale with.
@@ -25,6 +29,7 @@ impl Float for f64 {
     type Pair = wide::f64x2;
     #[cfg(not(feature = "pairs"))]
     type Pair = [f64; 2];
+    const IS_PRIMITIVE: bool = true;
 
     #[inline]
     fn binade(self) -> Self {
@@ -34,6 +39,7 @@ impl Float for f64 {
 
 impl Float for f32 {
     type Pair = [f32; 2];
+    const IS_PRIMITIVE: bool = true;
 
     #[inline]
     fn binade(self) -> Self {

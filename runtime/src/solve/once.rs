@@ -28,7 +28,7 @@ macro_rules! compiled {
         pub(super) fn solved<T: Float, L: Linear<T, K>, const K: usize>(part: &Part<'_, T, L, K>, start: &Start<T, K>) -> Outcome<T, L, K> {
             // Constant conditions, so that nothing else is compiled for these blocks.
             $(
-                if const { L::IS_SMALL && K == $size && size_of::<T>() == size_of::<$float>() } {
+                if const { L::IS_SMALL && K == $size && T::IS_PRIMITIVE && size_of::<T>() == size_of::<$float>() } {
                     return known(part, start, $function).unwrap_or(Err(StepError::Far));
                 }
             )*
