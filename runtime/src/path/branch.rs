@@ -21,8 +21,9 @@ pub(super) fn keeps_sides<T: SolverReal, const N: usize>(links: &[usize], here: 
     let mut kept = T::Mask::of(true);
     for &first in links {
         // The trace of A₀ᵀ A is 1 + 2 cos φ.
-        let entries = first..(first + 9).min(N);
-        let trace = entries.fold(T::of(0.0), |sum, i| sum + here[i] * there[i]);
+        let entries = first..first.wrapping_add(9);
+        let (Some(here), Some(there)) = (here.as_slice().get(entries.clone()), there.as_slice().get(entries)) else { continue };
+        let trace = here.iter().zip(there).fold(T::of(0.0), |sum, (&here, &there)| sum + here * there);
         kept = kept.and(T::of(0.0).at_most(trace));
     }
     kept
@@ -78,7 +79,7 @@ pub(super) fn comes_from<T: SolverReal, const N: usize>(
     let nearest = T::of(LARGEST_LAPSE) / condition + T::of(ROUNDINGS) * T::EPSILON * condition;
     let mut comes = T::Mask::of(true);
     for &i in iterated {
-        let Some(coordinate) = coordinates.get(i) else { continue };
+        let Some(coordinate) = coordinates.get(i).filter(|_| i < N) else { continue };
         let lapse = (there.q[i] - here.q[i]) - h * (there.qd[i] - T::of(0.5) * (h * there.qdd[i]));
         // A length larger than L is scaled by its own value.
         let size = if coordinate.kind == CoordinateKind::Length { length.max(here.q[i].abs()) } else { T::of(1.0) };
