@@ -41,9 +41,6 @@ pub trait Sliced<T: SolverReal, const OUTPUT: usize, const N: usize, const WHOLE
     /// [`Stages::COMPUTED_ANGLES`] of the slice.
     const COMPUTED_ANGLES: &'static [usize];
 
-    /// [`Stages::LINKS`] of the slice.
-    const LINKS: &'static [usize] = &[];
-
     /// [`Stages::IS_REDUNDANT`] of the slice.
     const IS_REDUNDANT: bool = false;
 
@@ -332,7 +329,6 @@ where
     T: SolverReal,
 {
     const COMPUTED_ANGLES: &'static [usize] = <M as Sliced<T, OUTPUT, N, WHOLE>>::COMPUTED_ANGLES;
-    const LINKS: &'static [usize] = <M as Sliced<T, OUTPUT, N, WHOLE>>::LINKS;
     const IS_REDUNDANT: bool = <M as Sliced<T, OUTPUT, N, WHOLE>>::IS_REDUNDANT;
     const ITERATED: &'static [usize] = <M as Sliced<T, OUTPUT, N, WHOLE>>::ITERATED;
     const MAY_BE_NON_FINITE: Option<&'static [usize]> = Some(<M as Sliced<T, OUTPUT, N, WHOLE>>::MAY_BE_NON_FINITE);

@@ -64,25 +64,29 @@ pub(crate) fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usiz
     t: T,
 ) -> Result<(), Ended<T, N>> {
     let mechanism = Followed::new(&equations);
-    let last = advance(&mechanism, state, t)?;
+    let arrival = advance(&mechanism, state, t)?;
     // A constant, so that mechanisms without redundant equations do not have this compiled.
-    if E::IS_REDUNDANT && matches!(last, Last::Step) && state.condition > largest_alone() {
+    if E::IS_REDUNDANT && matches!(arrival, Arrival::Step) && state.condition > largest_alone() {
         crossing::refine_beside(&mechanism, state);
     }
     Ok(())
 }
 
 /// How a continuation arrived.
-enum Last {
+enum Arrival {
     /// By a step.
     Step,
     /// By an extrapolation across a change point.
     Crossing,
 }
 
+/// The same, for any mechanism with this number of coordinates, without the digits that redundant equations give beside a change point.
+///
+/// # Errors
+/// Where and why the branch could not be followed.
 #[cold]
 #[inline(never)]
-fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut State<T, N>, t: T) -> Result<Last, Ended<T, N>> {
+fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut State<T, N>, t: T) -> Result<Arrival, Ended<T, N>> {
     if !t.is_finite() || !state.t.is_finite() {
         return Err(Ended::Refused(Cause::NotFinite { of: Culprit::Time }));
     }
@@ -113,7 +117,7 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
             Ok((_, Some(cause))) if next == t => return Err(Ended::Refused(cause)),
             Ok((there, _)) if next == t => {
                 *state = there;
-                return Ok(Last::Step);
+                return Ok(Arrival::Step);
             }
             Ok((there, _)) => {
                 here = there;
@@ -131,7 +135,7 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
         match (crossing::cross(mechanism, &waypoint, &here, t), failed) {
             (Some(beyond), _) if beyond.t == t => {
                 *state = beyond;
-                return Ok(Last::Crossing);
+                return Ok(Arrival::Crossing);
             }
             (Some(beyond), _) => {
                 step = t - beyond.t;

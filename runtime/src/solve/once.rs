@@ -1,7 +1,8 @@
-//! Blocks of one to three unknowns, the most frequent ones: their cold start is compiled with this crate, once for each size and
-//! number type, instead of with each mechanism.
+//! Cold starts of blocks of one to three unknowns, the most frequent ones. They are compiled with this crate, once for each size and
+//! number type.
 //!
-//! A generic function is compiled where its types are known, in the user's crate. So these types are asked for one by one.
+//! Rust compiles a generic function where its types become known, which is in the crate of the user, for each mechanism. So functions of
+//! known types stand here, and the types of a block are compared with theirs.
 
 use core::any::Any;
 

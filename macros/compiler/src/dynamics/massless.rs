@@ -17,7 +17,7 @@ use crate::model::{Body, Joint, Model};
 use crate::numeric::Numeric;
 use crate::quantity::Ambient;
 use crate::syntax::ast::Definition;
-use crate::system::{COSINES, LoadEquations, LoadRow};
+use crate::system::{LoadEquations, LoadRow};
 
 /// A part of a row below this share of its largest entry acts on nothing.
 const NOTHING: f64 = 1e-9;
@@ -145,8 +145,7 @@ fn mass_matrix(numeric: &Numeric, state: &[f64], body: usize) -> Vec<Vec<f64>> {
         let mass = numbers(declared.mass.as_ref().map(std::slice::from_ref), 1)[0];
         let center = numbers(declared.center.as_deref(), each / 2 + each % 2);
         let own = if is_spatial {
-            let first = numeric.system.coordinates.len() + COSINES * body;
-            let rotation: Vec<&[f64]> = state[first..first + COSINES].chunks(3).collect();
+            let rotation: Vec<&[f64]> = state[numeric.system.entries_of(body)].chunks(3).collect();
             in_space(mass, &center, &numbers(declared.inertia.as_deref(), 6), &rotation)
         } else {
             let (sine, cosine) = (libm::sin(state[model.bodies[body].first + 2]), libm::cos(state[model.bodies[body].first + 2]));

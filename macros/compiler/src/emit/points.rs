@@ -6,7 +6,6 @@ use super::routine::{RoutinePrinter, lines};
 use super::{allowed, docs, state_path};
 use crate::model::sketch::NamedPoint;
 use crate::plan::Routine;
-use crate::system::COSINES;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
@@ -73,7 +72,7 @@ impl Emitter<'_> {
                 quote!(self.state.planar_body(#place).#method(#local))
             }
             Some((body, place)) => {
-                let (place, orientation) = (number(place), number(self.system.coordinates.len() + COSINES * body));
+                let (place, orientation) = (number(place), number(self.system.entries_of(body).start));
                 quote!(self.state.spatial_body(#place, #orientation).#method(#local))
             }
         };

@@ -65,7 +65,7 @@ impl Emitter<'_> {
         quote!(#angles #tested #iterated const MAY_BE_NON_FINITE: &'static [::core::primitive::usize] = &[#unsure];)
     }
 
-    /// The binary links, and whether equations are verified, where there are any
+    /// The binary links, and whether equations are verified, where there are any. Mechanisms with slices have no links.
     fn tested(&self, solution: &Solution, shelf: &StateLayout) -> TokenStream {
         let links = self.system.links.iter().filter_map(|body| shelf.place(self.system.entries_of(*body).start));
         let links: Vec<Literal> = links.map(Literal::usize_unsuffixed).collect();

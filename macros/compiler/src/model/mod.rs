@@ -348,7 +348,7 @@ pub struct Requirement {
     pub rhs: Expr,
     /// Dimension of both sides.
     pub dim: Dim,
-    /// Joint that states the condition, with the name of the compared quantity: `g.a`.
+    /// Joint that states the condition, with the name of the compared quantity, or the body and its quantity: `g.a`, `rod.mass`.
     pub joint: String,
     /// Advice to the user if the condition fails.
     pub why: String,

@@ -33,18 +33,11 @@ pub(super) fn upstream(frame: &PlanContext, stages: &[Stage], output: &OutputMot
         needed.extend(leaves(frame.arena, stage));
     }
     let mut chosen: Vec<Stage> = Vec::new();
-    loop {
-        chosen.clear();
-        for stage in stages.iter().rev() {
-            if stage.unknowns().iter().any(|unknown| needed.contains(unknown)) {
-                let stage = jerks.map_or_else(|| stage.clone(), |jerks| jerks.asked_of(stage));
-                needed.extend(leaves(frame.arena, &stage));
-                chosen.push(stage);
-            }
-        }
-        // Where a binary link turns out to be upstream, its side is tested with all entries of its rotation matrix.
-        if !add_links(frame, &mut needed) {
-            break;
+    for stage in stages.iter().rev() {
+        if stage.unknowns().iter().any(|unknown| needed.contains(unknown)) {
+            let stage = jerks.map_or_else(|| stage.clone(), |jerks| jerks.asked_of(stage));
+            needed.extend(leaves(frame.arena, &stage));
+            chosen.push(stage);
         }
     }
     chosen.reverse();
@@ -61,7 +54,12 @@ pub(super) fn upstream(frame: &PlanContext, stages: &[Stage], output: &OutputMot
 /// The moving slice; `None` unless some blocks rest, which then need not be solved at every time, and some stages move.
 pub(super) fn moving(frame: &PlanContext, stages: &[Stage]) -> Option<Slice> {
     let mut timed = timed(frame.arena, stages);
-    add_links(frame, &mut timed);
+    // The side of a binary link is tested with all entries of its rotation matrix.
+    for link in frame.links {
+        if timed.range(link.clone()).next().is_some() {
+            timed.extend(link.clone());
+        }
+    }
     let rests = |stage: &Stage| match stage {
         Stage::Check { .. } => timed.is_disjoint(&leaves(frame.arena, stage)),
         Stage::Explicit { .. } | Stage::Block(_) => !stage.unknowns().iter().any(|unknown| timed.contains(unknown)),
@@ -80,17 +78,6 @@ pub(super) fn moving(frame: &PlanContext, stages: &[Stage]) -> Option<Slice> {
         held.extend(&given);
     }
     Some(Slice { given, held: held.into_iter().collect(), solution })
-}
-
-/// Adds all entries of the rotation matrices of links of which one is among these unknowns; whether any was missing.
-fn add_links(frame: &PlanContext, unknowns: &mut BTreeSet<usize>) -> bool {
-    let before = unknowns.len();
-    for link in frame.links {
-        if unknowns.range(link.clone()).next().is_some() {
-            unknowns.extend(link.clone());
-        }
-    }
-    unknowns.len() > before
 }
 
 /// Unknowns that depend on time, including those that only jump and have zero rate.
@@ -113,8 +100,8 @@ fn leaves(arena: &Arena, stage: &Stage) -> BTreeSet<usize> {
     stage.results().iter().flat_map(|result| arena.leaves(*result)).filter_map(|found| leaf(&found)).collect()
 }
 
-/// A slice's state holds iterated unknowns (for the predictor), varying computed angles and the rotation matrices of binary links (for the
-/// step test), outputs, and, with shared code, every unknown that its kernels exchange.
+/// A slice's state holds iterated unknowns (for the predictor), varying computed angles (for the step test), outputs, and, with shared
+/// code, every unknown that its kernels exchange. Mechanisms with slices have no binary links.
 fn held(frame: &PlanContext, stages: &[Stage], solving: &Solving, n: usize) -> Vec<usize> {
     let timed = timed(frame.arena, stages);
     let is_held = |stage: &&Stage| match stage {
@@ -123,8 +110,7 @@ fn held(frame: &PlanContext, stages: &[Stage], solving: &Solving, n: usize) -> V
         Stage::Explicit { unknown, motion, .. } => {
             let is_constant = motion.iter().all(|expr| frame.arena.as_constant(*expr).is_some());
             let is_shared = matches!(solving, Solving::Shared(_));
-            let is_of_link = frame.links.iter().any(|link| link.contains(unknown));
-            *unknown >= n || is_of_link || !is_constant && (is_shared || frame.is_angle[*unknown] && timed.contains(unknown))
+            *unknown >= n || !is_constant && (is_shared || frame.is_angle[*unknown] && timed.contains(unknown))
         }
     };
     let mut held: Vec<usize> = stages.iter().filter(is_held).flat_map(Stage::unknowns).copied().collect();
