@@ -21,9 +21,12 @@ pub(super) fn keeps_sides<T: SolverReal, const N: usize>(links: &[usize], here: 
     let mut kept = T::Mask::of(true);
     for &first in links {
         // The trace of A₀ᵀ A is 1 + 2 cos φ.
-        let entries = first..first.wrapping_add(9);
-        let (Some(here), Some(there)) = (here.as_slice().get(entries.clone()), there.as_slice().get(entries)) else { continue };
-        let trace = here.iter().zip(there).fold(T::of(0.0), |sum, (&here, &there)| sum + here * there);
+        let mut trace = T::of(0.0);
+        for i in (0..9).map(|k| first.wrapping_add(k)) {
+            if i < N {
+                trace = trace + here[i] * there[i];
+            }
+        }
         kept = kept.and(T::of(0.0).at_most(trace));
     }
     kept
