@@ -1,6 +1,6 @@
 //! What single forces do, and loads that are computed alone.
 
-use reuleaux::nalgebra::{Vector2, Vector3};
+use reuleaux::nalgebra::{Matrix2, Vector2, Vector3};
 use reuleaux::{Integrator, mechanism};
 
 mechanism! {
@@ -259,4 +259,64 @@ fn a_gas_spring_without_room_has_no_force() {
     let effort = |t: f64| crushed.loads(&crushed.solve(t).unwrap()).press().effort;
     assert!((effort(1.0) + 300.0).abs() < 1e-11, "{}", effort(1.0));
     assert!(effort(1.6).is_nan(), "{}", effort(1.6));
+}
+
+mechanism! {
+    /// Two wheels on one axle, with a damper in the bearing of the first and one between both.
+    pub(crate) mechanism Bearings {
+        body fast { mass = 2kg; inertia = 0.3kgm2; }
+        body slow { mass = 1kg; inertia = 0.7kgm2; }
+        joint bearing = revolute(ground.position, fast.position);
+        joint other = revolute(ground.position, slow.position);
+        slice force friction = torsion_damper(ground, fast, 0.05Nms_rad);
+        slice force clutch = torsion_damper(fast, slow, damping: 0.2Nms);
+        freedom spin = fast.angle from 0 at 20rad_s;
+        freedom drag = slow.angle from 0 at -3rad_s;
+    }
+}
+
+mechanism! {
+    /// The same wheels about an oblique axis in space.
+    pub(crate) mechanism ObliqueBearings in space {
+        ground { axis a = (1, 2, 2); }
+        body fast { axis a = (0, 0, 1); mass = 2kg; inertia = (0.2kgm2, 0.2kgm2, 0.3kgm2); }
+        body slow { axis a = (0, 0, 1); mass = 1kg; inertia = (0.4kgm2, 0.4kgm2, 0.7kgm2); }
+        joint bearing = revolute(ground.position, ground.a, fast.position, fast.a);
+        joint other = revolute(ground.position, ground.a, slow.position, slow.a);
+        slice force friction = torsion_damper(ground.a, fast.a, 0.05Nms_rad);
+        slice force clutch = torsion_damper(fast.a, slow.a, damping: 0.2Nms);
+        freedom spin = bearing.angle from 0 at 20rad_s;
+        freedom drag = other.angle from 0 at -3rad_s;
+    }
+}
+
+/// The speeds obey M ω̇ = −C ω, of which the solution is a sum of two exponentials.
+#[test]
+fn torsion_dampers_slow_wheels_down() {
+    let (plane, space) = (Bearings::default(), ObliqueBearings::default());
+    let (mut flat, mut oblique) = (plane.initial_state().expect("a state"), space.initial_state().expect("a state"));
+    let axis = Vector3::new(1.0, 2.0, 2.0) / 3.0;
+    // ω̇ = A ω
+    let rates: Matrix2<f64> = Matrix2::new(-0.25 / 0.3, 0.2 / 0.3, 0.2 / 0.7, -0.2 / 0.7);
+    let (half, root) = (rates.trace() / 2.0, (rates.trace().powi(2) / 4.0 - rates.determinant()).sqrt());
+    let mut integrator = Integrator::new(1e-11);
+    let mut integrator_in_space = Integrator::new(1e-11);
+    for time in [0.3_f64, 1.0, 2.5] {
+        plane.advance(&mut flat, time, &mut integrator).expect("it moves");
+        space.advance(&mut oblique, time, &mut integrator_in_space).expect("it moves");
+        // exp(A t) = exp(h t) (cosh(r t) + sinh(r t) / r (A − h))
+        let growth = Matrix2::identity() * (root * time).cosh() + (rates - Matrix2::identity() * half) * ((root * time).sinh() / root);
+        let [fast, slow]: [f64; 2] = (growth * Vector2::new(20.0, -3.0) * (half * time).exp()).into();
+        assert!((flat.fast().angular_velocity - fast).abs() < 1e-8 && (flat.slow().angular_velocity - slow).abs() < 1e-8);
+        assert!(
+            (oblique.fast().angular_velocity - axis * fast).norm() < 1e-8 && (oblique.slow().angular_velocity - axis * slow).norm() < 1e-8
+        );
+        let (friction, clutch) =
+            (-0.05 * flat.fast().angular_velocity, -0.2 * (flat.slow().angular_velocity - flat.fast().angular_velocity));
+        assert_eq!(plane.load_of_friction(&flat).torques.map(f64::abs), [friction.abs(); 2]);
+        assert_eq!(plane.load_of_clutch(&flat).torques, [clutch, -clutch]);
+        assert!((space.load_of_clutch(&oblique).torques[0] - axis * clutch).norm() < 1e-8);
+        let lost = -0.05 * fast.powi(2) - 0.2 * (slow - fast).powi(2);
+        assert!((plane.energy(&flat).power - lost).abs() < 1e-6 && (space.energy(&oblique).power - lost).abs() < 1e-6);
+    }
 }

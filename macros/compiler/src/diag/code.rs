@@ -40,7 +40,7 @@ macro_rules! codes {
 
 codes! {
     // Grammar.
-    E0001: Grammar::Syntax Grammar::Expected Grammar::Unnamed Motion::EquationWithoutBraces Motion::RateBeforeStart
+    E0001: Grammar::Syntax Grammar::Expected Grammar::ArgumentByEquals Grammar::Unnamed Motion::EquationWithoutBraces Motion::RateBeforeStart
         Motion::PlaceWithoutAt Motion::StartWithEquals Motion::FreedomWithoutName Grammar::OneEqualsSign
         Grammar::HashComment Grammar::CommaAtEnd Grammar::DecimalComma Grammar::OutputWithoutName Grammar::OutputWithDimension
         Grammar::TwoConditions Grammar::ComparisonOutside Grammar::StraySemicolon;
@@ -88,7 +88,7 @@ codes! {
     // Kinds and dimensions.
     E0301: Value::NotA Value::NotAnOutput Value::NotAStart Motion::TorqueWithoutAxis Motion::TorqueWithAxis Motion::ForceWithoutDirection
         Motion::GravityWithoutDirection
-        Motion::ForceAtNoPoint Motion::TorqueOnNoBody Motion::ValueForForce Motion::ValueForConstraint Motion::FreedomOfJoint;
+        Motion::ForceAtNoPoint Motion::TorqueOnNoBody Motion::ValueForForce Motion::ValueForConstraint Motion::FreedomOfJoint Motion::FreedomOfOrientation;
     E0302: Value::WrongArgument Value::WrongDefault Motion::JointWithoutValue Arity::OtherOrder Arity::FunctionOrder;
     E0303: Value::WrongArgumentDimension;
     E0304: Value::Unlike Value::NotARate;

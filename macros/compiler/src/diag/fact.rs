@@ -58,6 +58,7 @@ impl Fact {
 pub enum GrammarFact {
     Syntax { message: String },
     Expected { what: &'static str, found: String },
+    ArgumentByEquals { name: String },
     Unnamed { word: Word, kind: String },
     NotANumber { found: &'static str },
     TooDeep { limit: u16 },
@@ -236,7 +237,7 @@ pub enum ValueFact {
     OutputWithoutRate,
     EnergyOfVelocities,
     NotAnEnergy { found: Dim },
-    NegativeMass { what: &'static str, body: String, value: f64 },
+    NegativeMass { what: &'static str, body: String, value: f64, dim: Dim },
     ImpossibleInertia { body: String },
     CenterWithoutMass { body: String },
     ShapeWithoutMass { name: String },

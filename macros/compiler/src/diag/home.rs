@@ -18,7 +18,7 @@ pub enum Home {
 }
 
 /// Words with their equivalents in the plane and in space.
-const HOMES: [(&[&str], Home, Home); 15] = [
+const HOMES: [(&[&str], Home, Home); 17] = [
     (
         &["hinge", "pin", "pivot", "rotary", "rotational", "bearing"],
         Home::Joint(&["revolute(P, Q)"]),
@@ -48,6 +48,12 @@ const HOMES: [(&[&str], Home, Home); 15] = [
     ),
     (&["motor", "servo"], Home::Drive("drive_angle(b, C)"), Home::Drive("drive_rotation(angle, C)")),
     (&["spring"], Home::Force("spring(P, Q, stiffness)"), Home::Force("spring(P, Q, stiffness)")),
+    (
+        &["torque", "moment", "drive_torque", "drive_moment", "torque_motor"],
+        Home::Force("motor(one, two, torque)"),
+        Home::Force("motor(a, body, torque)"),
+    ),
+    (&["force", "drive_force", "thrust"], Home::Force("actuator(P, Q, F)"), Home::Force("actuator(P, Q, F)")),
     (&["damper", "dashpot"], Home::Force("damper(P, Q, damping)"), Home::Force("damper(P, Q, damping)")),
     (&["crank", "piston", "link", "bar", "rod", "rocker", "coupler", "lever", "wheel", "plate", "arm", "block"], Home::Body, Home::Body),
 ];

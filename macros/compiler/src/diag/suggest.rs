@@ -6,7 +6,7 @@ use crate::quantity::{unit, units};
 const LONGEST: usize = 60;
 
 /// Words of the language with their synonyms elsewhere.
-const SYNONYMS: [(&str, &[&str]); 50] = [
+const SYNONYMS: [(&str, &[&str]); 54] = [
     ("body", &["link", "bar", "rigid", "member", "bodie"]),
     ("ground", &["frame", "base", "world", "fixed"]),
     ("param", &["parameter", "var", "variable"]),
@@ -54,6 +54,10 @@ const SYNONYMS: [(&str, &[&str]); 50] = [
     ("h", &["hour", "hours", "hr"]),
     ("t", &["time"]),
     ("spring", &["compression_spring", "tension_spring", "extension_spring", "coil_spring"]),
+    ("motor", &["torque", "moment", "drive_torque", "servo"]),
+    ("actuator", &["force", "thrust", "drive_force"]),
+    ("torsion_spring", &["rotational_spring", "rotary_spring", "torsional_spring", "angular_spring"]),
+    ("torsion_damper", &["rotational_damper", "rotary_damper", "torsional_damper", "angular_damper", "viscous_friction"]),
     ("gas_spring", &["gas_strut", "gas_shock", "gas_piston", "strut"]),
     ("constant_force", &["constant_force_spring", "force_spring"]),
     ("drive_angle", &["drive_velocity", "drive_angular_velocity", "drive_speed", "rotate"]),
@@ -111,6 +115,7 @@ pub(crate) fn nearest_unit(typed: &str) -> Option<String> {
     let is_repeated = |at: &usize| *at > 0 && letters[*at] == letters[at - 1];
     let without = |at: usize| letters[..at].iter().chain(&letters[at + 1..]).collect::<String>();
     let shorter = (0..letters.len()).filter(is_repeated).map(without).find(|shorter| unit(shorter).is_some());
+    let shorter = shorter.or_else(|| Some(typed.replace('_', "")).filter(|joined| unit(joined).is_some()));
     // A unit with another power is one of another dimension.
     let digits = |text: &str| text.chars().filter(char::is_ascii_digit).collect::<String>();
     shorter.or_else(|| nearest(typed, units().filter(|known| digits(known) == digits(typed))))

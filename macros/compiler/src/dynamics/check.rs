@@ -6,7 +6,7 @@ use crate::assembly::Assembly;
 use crate::diag::{Diag, SystemFact};
 use crate::expr::{Expr, Values, evaluate};
 use crate::linear::Echelon;
-use crate::model::{Joint, Model};
+use crate::model::{Joint, Mass, Model};
 use crate::numeric::{Numeric, at_defaults};
 use crate::quantity::Role;
 use crate::system::System;
@@ -155,7 +155,10 @@ impl<'a> AtStart<'a> {
         bodies.dedup();
         let names = bodies.iter().map(|body| model.bodies[*body].name.to_string()).collect();
         let has_any = model.bodies.iter().any(|body| !body.masses.is_empty());
+        let is_point = |mass: &Mass| mass.mass.is_some() && mass.inertia.is_none();
+        let points = bodies.iter().map(|body| &model.bodies[*body]).filter(|body| body.masses.iter().any(is_point));
+        let without_inertia = points.map(|body| body.name.to_string()).collect();
         let first = bodies.first().map_or(0, |body| *body);
-        diag.refuse(&model.bodies[first].name, SystemFact::Massless { bodies: names, has_any })
+        diag.refuse(&model.bodies[first].name, SystemFact::Massless { bodies: names, has_any, without_inertia })
     }
 }

@@ -60,6 +60,14 @@ pub(crate) fn point_of(value: &Expression, body: &str) -> Option<String> {
     (path.name.as_ref()? == body).then(|| point.to_string())
 }
 
+/// The body of `body.orientation`.
+pub(crate) fn orientation_of(value: &Expression) -> Option<String> {
+    match &value.kind {
+        ExpressionKind::Field(body, name) if name == "orientation" => Some(body.to_string()),
+        _ => None,
+    }
+}
+
 /// A product of a length or an angle and `t`, as `10mm * t`, with the number as a rate: `10mm_s * t`.
 pub(crate) fn by_time(value: &Expression) -> Option<(&Expression, Dim, String)> {
     match &value.kind {

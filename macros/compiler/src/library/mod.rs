@@ -101,10 +101,10 @@ macro_rules! force_pages_of {
 const FORCES: &[(&str, &str)] = force_pages!["spring", "damper", "spring_damper", "actuator", "constant_force", "gas_spring", "drag"];
 
 /// Forces in the plane.
-const PLANAR_FORCES: &[(&str, &str)] = force_pages_of!["plane": "motor", "torsion_spring", "torsion_spring_damper"];
+const PLANAR_FORCES: &[(&str, &str)] = force_pages_of!["plane": "motor", "torsion_spring", "torsion_damper", "torsion_spring_damper"];
 
 /// Forces in space.
-const SPATIAL_FORCES: &[(&str, &str)] = force_pages_of!["space": "motor", "torsion_spring", "torsion_spring_damper"];
+const SPATIAL_FORCES: &[(&str, &str)] = force_pages_of!["space": "motor", "torsion_spring", "torsion_damper", "torsion_spring_damper"];
 
 /// Constraints with one text for the plane and for space.
 const BOTH: &[&str] = &["distance", "absolute_x", "absolute_y", "drive_distance", "drive_x", "drive_y"];

@@ -45,9 +45,17 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern,
     let chosen = chosen(pattern, &[first.as_slice(), &second].concat(), missing.min(MOST_CHOSEN));
     let shown = if missing == 1 { &first } else { &chosen };
     let forgotten = if missing > 1 { forgotten(model, system, pattern, under, &chosen) } else { Forgotten::default() };
+    let count = match &system.declared {
+        // Joint angles and quaternions are coordinates that nobody declared.
+        Some(_) => {
+            let freedoms = 6 * model.bodies.len();
+            Count { freedoms, in_space: true, joints: freedoms - drives - missing, drives, missing }
+        }
+        None => Count { freedoms: system.coordinates.len(), in_space: false, joints: solved - drives, drives, missing },
+    };
     let fact = SystemFact::DrivesMissing {
         name: model.name.to_string(),
-        count: Box::new(Count { coordinates: system.coordinates.len(), joints: solved - drives, drives, missing }),
+        count: Box::new(count),
         forgotten: Box::new(forgotten),
         candidates: shown.iter().map(|unknown| system.name(model, *unknown)).collect(),
         example: chosen.first().map_or(String::new(), |unknown| drive_for(model, system, *unknown)),

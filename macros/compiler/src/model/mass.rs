@@ -28,10 +28,11 @@ impl Mass {
         if self.center.is_some() && self.mass.is_none() {
             return Some(("center", ValueFact::CenterWithoutMass { body }));
         }
-        for (what, value) in [("mass", self.mass.map(|mass| vec![mass])), ("inertia", self.inertia.clone())] {
+        let mass = ("mass", self.mass.map(|mass| vec![mass]), Dim::MASS);
+        for (what, value, dim) in [mass, ("inertia", self.inertia.clone(), Dim::INERTIA)] {
             let Some(values) = value.map(|value| numbers(&value)) else { continue };
             if let Some(value) = values.iter().take(3).copied().find(|value| *value < 0.0) {
-                return Some((what, ValueFact::NegativeMass { what, body, value }));
+                return Some((what, ValueFact::NegativeMass { what, body, value, dim }));
             }
             if let [xx, yy, zz, xy, xz, yz] = values[..]
                 && !is_inertia([xx, yy, zz, xy, xz, yz])

@@ -189,6 +189,8 @@ impl fmt::Display for Dim {
             Some("Power") => return write!(formatter, "a power (W)"),
             Some("Pressure") => return write!(formatter, "a pressure (Pa)"),
             Some(other) => return write!(formatter, "a {} ({})", other.to_lowercase(), self.unit()),
+            None if *self == Dim::TORQUE.per(Dim::ANGLE) => return write!(formatter, "a torsional stiffness (N m/rad)"),
+            None if *self == Dim::TORQUE.per(Dim::ANGLE).times(Dim::TIME) => return write!(formatter, "a torsional damping (N m s/rad)"),
             None => return write!(formatter, "a quantity in {}", self.unit()),
         };
         write!(formatter, "{words} ({})", self.unit())

@@ -9,6 +9,7 @@ use super::elaborate::Elaborator;
 use super::statement::ScalarEquation;
 use crate::diag::{EquationFact, Kind, MotionFact, ValueFact, Wanted};
 use crate::expr::{Expr, Leaf};
+use crate::hints::orientation_of;
 use crate::names::{Scalar, Scope, Value};
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast;
@@ -19,6 +20,9 @@ impl Elaborator<'_> {
     pub(super) fn freedom(&mut self, name: &Ident, freedom: &ast::FreedomItem, scope: &Scope) -> Option<Vec<ScalarEquation>> {
         let range = freedom.value.range;
         self.is_no_joint(name, &freedom.value, scope)?;
+        if let Some(body) = orientation_of(&freedom.value) {
+            return self.refuse(range, MotionFact::FreedomOfOrientation { name: name.to_string(), body });
+        }
         let parts = self.quantities(&freedom.value, scope)?;
         let measure = parts.first()?.measure;
         let is_of_speeds = parts.iter().any(|part| self.has_speeds(part.expr));

@@ -118,11 +118,8 @@ impl Elaborator<'_> {
             return self.refuse(kind, ArrayFact::ComponentAsConstraint { name: word });
         }
         if library::is_elsewhere(&word, self.names.ambient) {
-            let fact = match self.names.ambient {
-                Ambient::Plane => ValueFact::OnlyInSpace { word },
-                Ambient::Space => ValueFact::OnlyInPlane { word },
-            };
-            return self.refuse(kind, fact);
+            let is_plane = self.names.ambient == Ambient::Plane;
+            return self.refuse(kind, if is_plane { ValueFact::OnlyInSpace { word } } else { ValueFact::OnlyInPlane { word } });
         }
         let own = self.names.definitions.keys().map(String::as_str);
         if self.applied.is_some() {

@@ -2,7 +2,8 @@
 
 use super::ast::Argument;
 use super::expression::expression;
-use super::tokens::{Parsed, comma, name, parentheses};
+use super::tokens::{Parsed, comma, name, parentheses, wrong};
+use crate::diag::GrammarFact;
 use syn::Token;
 use syn::parse::ParseStream;
 
@@ -20,6 +21,10 @@ pub(super) fn arguments(input: ParseStream) -> Parsed<Vec<Argument>> {
 /// `value` or `name: value`
 fn argument(input: ParseStream) -> Parsed<Argument> {
     let is_named = input.peek(syn::Ident) && input.peek2(Token![:]) && !input.peek2(Token![::]);
+    if input.peek(syn::Ident) && input.peek2(Token![=]) && !input.peek2(Token![==]) {
+        let name = name(input, "the name of the argument")?;
+        return wrong(input.span(), GrammarFact::ArgumentByEquals { name: name.to_string() });
+    }
     if !is_named {
         return Ok(Argument { name: None, value: expression(input)? });
     }

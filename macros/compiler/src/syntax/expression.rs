@@ -233,7 +233,8 @@ fn is_unit(input: ParseStream) -> bool {
             || ahead.peek(Token![%])
             || ahead.peek(Token![..])
     };
-    ahead.parse::<Ident>().is_ok() && is_end(&ahead)
+    // `from 0 at -3rad_s`
+    ahead.parse::<Ident>().is_ok_and(|word| word != "at") && is_end(&ahead)
 }
 
 fn literal_kind(literal: &Lit) -> &'static str {

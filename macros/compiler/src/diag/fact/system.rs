@@ -34,6 +34,8 @@ pub enum SystemFact {
     Massless {
         bodies: Vec<String>,
         has_any: bool,
+        /// Those with a mass, but no inertia.
+        without_inertia: Vec<String>,
     },
     SliceWithoutLoads {
         name: String,
@@ -190,8 +192,10 @@ pub struct Forgotten {
 /// Numbers of coordinates, equations and drives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Count {
-    /// Number of coordinates of all bodies.
-    pub coordinates: usize,
+    /// Number of freedoms of all bodies, each on its own.
+    pub freedoms: usize,
+    /// True for six freedoms of each body, which are not its coordinates.
+    pub in_space: bool,
     /// Number of equations of joints.
     pub joints: usize,
     /// Number of equations of drives.

@@ -55,6 +55,9 @@ impl Display for GrammarFact {
                     _ => Ok(()),
                 }
             }
+            GrammarFact::ArgumentByEquals { name } => {
+                write!(f, "an argument gets its value with `:`, found `=`\nhelp: write `{name}: …`")
+            }
             GrammarFact::Unnamed { word, kind } => write!(f, "a {word} has a name of its own\nhelp: write `{word} name = {kind}(…);`"),
             GrammarFact::NotANumber { found } => {
                 write!(f, "expected a number, found {found}\nhelp: a quantity is a number with its unit right behind it, such as `120mm`")

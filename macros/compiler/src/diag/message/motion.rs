@@ -141,6 +141,10 @@ impl Display for MotionFact {
                     (None, JointValue::Displacement) => write!(f, "\nhelp: take a {kinds} joint, or `along(a, Q - P)` for the joint"),
                 }
             }
+            MotionFact::FreedomOfOrientation { name, body } => {
+                write!(f, "a freedom is a number or a vector, found an orientation")?;
+                write!(f, "\nhelp: three turns are free: write `freedom {name} = {body}.angular_velocity;`")
+            }
             MotionFact::FreedomOfJoint { name, joint, offers } => {
                 write!(f, "a freedom is a number or a vector, and `{joint}` is a joint")?;
                 let lines: Vec<String> = offers.iter().map(|offer| format!("freedom {name} = {offer};")).collect();

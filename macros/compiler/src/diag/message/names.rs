@@ -1,6 +1,6 @@
 //! Messages about names.
 
-use super::words::{did_you_mean, first_of, is_acceleration, is_load, is_power, is_rate, list, listed, shortened};
+use super::words::{did_you_mean, first_of, is_acceleration, is_load, is_power, is_rate, is_sign, list, listed, shortened};
 use crate::diag::elsewhere::equivalent;
 use crate::diag::{Home, NameFact, usual_dimension};
 use crate::quantity::{Dim, Role};
@@ -70,6 +70,13 @@ impl Display for NameFact {
                 write!(f, "no function is called `{name}`")?;
                 write!(f, "\nhelp: an output is given with its rate and its acceleration; equations and forces contain none")
             }
+            NameFact::UnknownFunction { name, .. } if is_sign(name) => {
+                write!(f, "no function is called `{name}`: it jumps at zero, where no derivative exists")?;
+                write!(f, "\nhelp: write `x / sqrt(x^2 + w^2)`, smooth over a small `w`, or `if x < 0 {{ -1 }} else {{ 1 }}`")
+            }
+            NameFact::UnknownFunction { name, .. } if name == "tanh" => {
+                write!(f, "no function is called `tanh`\nhelp: write `x / sqrt(1 + x^2)`, which leads from -1 to 1 as smoothly")
+            }
             NameFact::UnknownFunction { name, .. } if name == "jerk" => {
                 write!(f, "no function is called `jerk`\nhelp: write `output name = … with jerk;` for the third derivative of an output")
             }
@@ -82,13 +89,19 @@ impl Display for NameFact {
                 write!(f, "no shape is called `{name}`\nnote: there are {}", listed(known.iter().copied()))?;
                 write!(f, "\nhelp: write moments of inertia for a body of another shape")
             }
+            NameFact::UnknownConstraint { name, near: Some(near), home: Some(Home::Force(call)), .. }
+                if call.starts_with(near.as_str()) =>
+            {
+                write!(f, "no constraint is called `{name}`\nhelp: write `force name = {call};`")
+            }
             NameFact::UnknownConstraint { name, near, home, known } => {
                 write!(f, "no constraint is called `{name}`{}", did_you_mean(near))?;
                 match home.filter(|_| near.is_none()) {
                     _ if near.is_some() => Ok(()),
                     Some(Home::Joint([only])) => write!(f, "\nhelp: write `{only}`"),
                     Some(Home::Joint(calls)) => write!(f, "\nhelp: write one of {}", listed(calls.iter().copied())),
-                    Some(Home::Drive(call) | Home::Force(call)) => write!(f, "\nhelp: write `{call}`"),
+                    Some(Home::Drive(call)) => write!(f, "\nhelp: write `drive name = {call};`"),
+                    Some(Home::Force(call)) => write!(f, "\nhelp: write `force name = {call};`"),
                     Some(Home::Equation) => write!(f, "\nhelp: write its equation, `{{ lhs == rhs; }}`"),
                     Some(Home::Body) => {
                         write!(f, "\nhelp: declare `body {name} {{ … }}` and join it to others; `distance(P, Q, c)` is a rod without mass")

@@ -35,8 +35,13 @@ impl Display for SystemFact {
             SystemFact::FreedomsMissing { name, missing, declared, candidates } => {
                 freedoms_missing(f, name, [*missing, *declared], candidates)
             }
-            SystemFact::Massless { bodies, has_any } => {
+            SystemFact::Massless { bodies, has_any, without_inertia } => {
                 write!(f, "no mass or inertia resists a motion of {}: its acceleration does not follow from forces", list(bodies))?;
+                if !without_inertia.is_empty() {
+                    let have = if without_inertia.len() == 1 { "has" } else { "have" };
+                    write!(f, "\nhelp: {} {have} a mass only: write `inertia = …;` there", list(without_inertia))?;
+                    return write!(f, ", or a `center` away from the axis, or `drive` for `freedom`");
+                }
                 let place = if *has_any { "in a body that moves with it" } else { "in the bodies" };
                 write!(f, "\nhelp: write `mass = …;` and `inertia = …;` {place}, or `drive` for `freedom`")
             }
@@ -117,10 +122,11 @@ impl Display for SystemFact {
                 }
             }
             SystemFact::DrivesMissing { name, count, forgotten, candidates, example, freedom } => {
-                let Count { coordinates, joints, drives, missing } = count.as_ref();
+                let Count { freedoms, in_space, joints, drives, missing } = count.as_ref();
                 let Forgotten { loose, line, holds } = forgotten.as_ref();
                 write!(f, "`{name}` has mobility {}, but {}", missing + drives, drives_there_are(*drives))?;
-                write!(f, "\nnote: {} and {} of joints", plural(*coordinates, "coordinate"), plural(*joints, "equation"))?;
+                let of_bodies = if *in_space { format!("{freedoms} freedoms of bodies") } else { plural(*freedoms, "coordinate") };
+                write!(f, "\nnote: {of_bodies} and {} of joints", plural(*joints, "equation"))?;
                 if !loose.is_empty() {
                     let ends = if loose.len() == 1 { "is" } else { "are each" };
                     write!(f, "\nnote: {} {ends} joined to one neighbour only", list(loose))?;

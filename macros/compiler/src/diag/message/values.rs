@@ -2,7 +2,7 @@
 
 use super::significant;
 use super::words::shortened;
-use crate::diag::{Kind, ValueFact, remedy};
+use crate::diag::{Kind, ValueFact, quantity, remedy};
 use crate::quantity::{Ambient, Dim};
 use std::f64::consts::TAU;
 use std::fmt::{Display, Formatter, Result};
@@ -105,7 +105,8 @@ impl Display for ValueFact {
                 write!(f, "`{word}` is for the plane; in space write {instead}")
             }
             ValueFact::AlongItsAxis { name } => {
-                write!(f, "angles about `{name}` are counted from a direction across it, and nothing of this one is across")
+                write!(f, "angles about `{name}` are counted from a direction across it, and this one has no part across it")?;
+                write!(f, "\nhelp: write a direction across it, `from (1, 0, 0)` or `from (0, 1, 0)`")
             }
             ValueFact::NotTwoComponents { found, .. } => {
                 write!(f, "a vector in the plane has 2 components, found {found}")?;
@@ -246,8 +247,8 @@ impl Display for ValueFact {
                 write!(f, "a potential energy is a function of positions, and this one contains velocities")?;
                 write!(f, "\nhelp: write a `force` for what depends on velocities: a damper, drag")
             }
-            ValueFact::NegativeMass { what, body, value } => {
-                write!(f, "the {what} of `{body}` is {value}, and cannot be negative\nhelp: write a positive number")
+            ValueFact::NegativeMass { what, body, value, dim } => {
+                write!(f, "the {what} of `{body}` is {}, and cannot be negative\nhelp: write a positive number", quantity(*value, *dim))
             }
             ValueFact::ImpossibleInertia { body } => {
                 write!(f, "no body has the inertia of `{body}`: about perpendicular axes, none is greater than the sum of the two others")?;

@@ -112,6 +112,11 @@ pub(super) fn is_power(name: &str) -> bool {
     ["pow", "powi", "powf", "power", "sqr", "square", "squared"].contains(&name)
 }
 
+/// True for the names of the function of the sign in other languages.
+pub(super) fn is_sign(name: &str) -> bool {
+    ["sign", "signum", "sgn", "copysign"].contains(&name)
+}
+
 /// True for words for a velocity.
 pub(super) fn is_rate(name: &str) -> bool {
     ["rate", "velocity", "speed", "vel", "dot"].contains(&name)
