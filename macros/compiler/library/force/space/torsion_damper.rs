@@ -1,0 +1,15 @@
+/// A torsion damper in space, about a common axis of two bodies: viscous friction in a hinge.
+///
+/// ```text
+///   T = −damping θ̇, T z_a on the body of `b`, −T z_a on the body of `a`      θ̇: rate of b against a about z_a
+/// ```
+///
+/// The axes have to stay in one direction, as a revolute or cylindrical joint keeps them. Degenerate case: none.
+///
+/// Reference: Haug, section 9.5.
+force torsion_damper(a: Axis, b: Axis, damping: Torque / AngularVelocity) in space {
+    require a.body != b.body: "a torsion damper acts between two bodies";
+    let line = damping * dot(b.body.angular_velocity - a.body.angular_velocity, z_axis(a)) * z_axis(a);
+    on b.body: -line;
+    on a.body: line;
+}
