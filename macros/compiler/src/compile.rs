@@ -9,7 +9,7 @@ use crate::expansion;
 use crate::export;
 use crate::hints;
 use crate::mobility;
-use crate::model::Model;
+use crate::model::{Facing, Model};
 use crate::picture::{self, Picture};
 use crate::plan::{self, Plan};
 use crate::redundancy;
@@ -166,17 +166,18 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
 }
 
 /// Runs all rooms after names are resolved.
-fn after_names(model: Model, diag: &mut Diag) -> Option<Compiled> {
-    let system = system::assemble(&model, diag)?;
-    // Only unknowns and equations are left, with all their derivatives.
-    connectivity::check(&model, &system, diag)?;
-    // All bodies are connected to ground.
-    let redundancy = redundancy::find(&model, &system, diag)?;
-    // No row is redundant, except in joints declared redundant: those rows are checked instead of solved.
-    let structure = structure::analyze(&system.pattern, &redundancy.rows);
-    mobility::check(&model, &system, &redundancy, &structure, diag)?;
-    // Every unknown belongs to a block, and the blocks are in order.
-    let assembly = assembly::assemble(&model, &system, &structure, diag)?;
+fn after_names(mut model: Model, diag: &mut Diag) -> Option<Compiled> {
+    let mut has_opposed = false;
+    let mut placed = placed(&model, &mut has_opposed, diag);
+    if placed.is_none() && has_opposed && diag.is_of_open_joints() {
+        // Bodies that start far from their places may have axes against each other that lie along each other where the joints close.
+        model.space.facing = Facing::Along;
+        placed = self::placed(&model, &mut has_opposed, &mut Diag::default());
+        if placed.is_some() {
+            diag.withdraw(0);
+        }
+    }
+    let (system, structure, assembly) = placed?;
     // There is an initial configuration; it is assembled unless the mechanism allows others.
     let motion = travel::follow(&model, &system, &structure, &assembly, diag)?;
     // The motion continues over its declared range, as far as it was followed.
@@ -188,6 +189,24 @@ fn after_names(model: Model, diag: &mut Diag) -> Option<Compiled> {
     // All decisions about the generated code are made.
     let picture = picture::draw(&model, &system, &assembly);
     Some(Compiled { model, system, structure, assembly, motion, plan, picture })
+}
+
+/// Runs the rooms up to the assembly.
+///
+/// * `has_opposed`: set to true if axes of a joint point against each other, as their declared starts do.
+fn placed(model: &Model, has_opposed: &mut bool, diag: &mut Diag) -> Option<(System, Structure, Assembly)> {
+    let system = system::assemble(model, diag)?;
+    *has_opposed = system.has_opposed;
+    // Only unknowns and equations are left, with all their derivatives.
+    connectivity::check(model, &system, diag)?;
+    // All bodies are connected to ground.
+    let redundancy = redundancy::find(model, &system, diag)?;
+    // No row is redundant, except in joints declared redundant: those rows are checked instead of solved.
+    let structure = structure::analyze(&system.pattern, &redundancy.rows);
+    mobility::check(model, &system, &redundancy, &structure, diag)?;
+    // Every unknown belongs to a block, and the blocks are in order.
+    let assembly = assembly::assemble(model, &system, &structure, diag)?;
+    Some((system, structure, assembly))
 }
 
 fn check(definitions: &ast::Definitions, diag: &mut Diag) {

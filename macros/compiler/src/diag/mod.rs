@@ -170,6 +170,16 @@ impl Diag {
         self.refusals.is_empty()
     }
 
+    /// True if all errors are of joints that do not close.
+    pub(crate) fn is_of_open_joints(&self) -> bool {
+        let is_open = |refusal: &Refusal| match &refusal.fact {
+            Fact::Assembly(fact) => matches!(fact, AssemblyFact::StaysOpen { .. } | AssemblyFact::NeverCloses { .. }),
+            Fact::System(fact) => matches!(fact, SystemFact::Contradicts { .. } | SystemFact::CannotHold { .. }),
+            _ => false,
+        };
+        self.refusals.iter().all(is_open)
+    }
+
     /// All errors so far, in the order reported.
     pub fn refusals(&self) -> &[Refusal] {
         &self.refusals

@@ -115,6 +115,16 @@ pub enum JointQuantity {
     Displacement(Triad, Place, Place),
 }
 
+/// Directions of two axes that a joint makes parallel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Facing {
+    /// Along or against each other, whichever the declared starts are nearer to.
+    #[default]
+    Nearest,
+    /// Along each other.
+    Along,
+}
+
 /// Relations and quantities of all joints in space.
 #[derive(Clone, Debug, Default)]
 pub struct Geometry {
@@ -122,6 +132,8 @@ pub struct Geometry {
     pub relations: Vec<(usize, usize, Relationship)>,
     /// Angles and displacements of joints, each with its expression, which is marked with its number here.
     pub quantities: Vec<(JointQuantity, Expr)>,
+    /// How axes are directed that joints make parallel.
+    pub facing: Facing,
 }
 
 /// The angle with a given sine and cosine that is within half a turn of another.

@@ -10,7 +10,7 @@ pub mod sketch;
 mod solid;
 
 pub use crate::expr::spline::{Ends, Table};
-pub use crate::geometry::{Components, Geometry, JointQuantity, Place, Relationship, Triad};
+pub use crate::geometry::{Components, Facing, Geometry, JointQuantity, Place, Relationship, Triad};
 pub use layout::{Component, Field, Layout, Of, Part};
 pub use mass::Mass;
 pub use name::Name;

@@ -76,6 +76,8 @@ pub struct System {
     pub off_starts: Vec<Expr>,
     /// In space: angles of joints that place no body.
     pub further_angles: Vec<FurtherAngle>,
+    /// In space: true if axes of a joint point against each other, as their declared starts do.
+    pub has_opposed: bool,
     /// Equations of motion by ω in the axes of the bodies that are free to turn, if forces decide the motion and there are such bodies.
     pub by_spins: Option<EquationsBySpins>,
 }
@@ -287,7 +289,7 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
         Ambient::Plane => in_plane(model, &mut arena),
         Ambient::Space => forest::reduce(model, &mut arena, forest::FreeSpeeds::OfQuaternion),
     };
-    let Choice { coordinates, mut rows, outputs, frames, reached, links, balance, loads, off_starts, further_angles } = choice;
+    let Choice { coordinates, mut rows, outputs, frames, reached, links, balance, loads, off_starts, further_angles, has_opposed } = choice;
     rows::integrate(model, &mut arena, &coordinates, &mut rows, diag);
     rows::begin_at_start(model, &mut arena, &coordinates, &mut rows);
     let is_motion = model.task == Task::Motion;
@@ -340,6 +342,7 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
         links,
         off_starts,
         further_angles,
+        has_opposed,
         by_spins,
     })
 }
@@ -373,6 +376,8 @@ struct Choice {
     off_starts: Vec<Expr>,
     /// In space: angles of joints that place no body.
     further_angles: Vec<FurtherAngle>,
+    /// True if axes of a joint point against each other, as their declared starts do.
+    has_opposed: bool,
     /// Forces by the rates of the unknowns, where they decide the motion.
     balance: Option<Balance>,
     /// In space: the equations of the loads.
@@ -391,6 +396,7 @@ fn in_plane(model: &Model, arena: &mut Arena) -> Choice {
         links: Vec::new(),
         off_starts: Vec::new(),
         further_angles: Vec::new(),
+        has_opposed: false,
         loads: None,
     }
 }

@@ -7,6 +7,7 @@ mod nearest;
 mod plates;
 mod range;
 mod starts;
+mod turned;
 
 use reuleaux_compiler::Compiled;
 use reuleaux_compiler::diag::Fact;

@@ -50,6 +50,8 @@ pub(super) struct Forest<'a> {
     displacements: HashMap<u32, Expr>,
     /// Angles that joints name but that place no body, by number of the quantity.
     further_angles: BTreeMap<u32, Expr>,
+    /// True if a triad was half turned towards its declared start.
+    has_opposed: bool,
     /// Binary links, which are placed last.
     linked: BTreeSet<usize>,
     /// The triad of each placed binary link, and its x axis in ground.
@@ -99,6 +101,7 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena, free_speeds: FreeSpeeds) 
         angles: Vec::new(),
         displacements: HashMap::new(),
         further_angles: BTreeMap::new(),
+        has_opposed: false,
         linked: BTreeSet::new(),
         lines_of_links: BTreeMap::new(),
         holding: BTreeSet::new(),
@@ -137,6 +140,7 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena, free_speeds: FreeSpeeds) 
         loads,
         off_starts,
         further_angles,
+        has_opposed: forest.has_opposed,
     }
 }
 

@@ -3,7 +3,7 @@
 use super::{Forest, Started};
 use crate::expr::{Arena, Binary, Expr, Leaf, Substitution, Triple, combination, dot};
 use crate::geometry::rotation;
-use crate::model::{JointQuantity, Place, Relationship, Triad};
+use crate::model::{Facing, JointQuantity, Place, Relationship, Triad};
 use crate::quantity::{Ambient, Role};
 
 /// Unit vectors are opposed at the start if their product is below this.
@@ -198,7 +198,8 @@ impl Forest<'_> {
 
     /// The triad of a new body, half turned about its x axis if its z axis points against that of the other triad at the declared start.
     pub(super) fn facing(&mut self, inner: Triad, outer: Triad) -> Triad {
-        if self.product_at_start(inner, outer, 2).is_some_and(|z| z < OPPOSED) { outer.half_turned(self.arena, 0) } else { outer }
+        let is_opposed = self.product_at_start(inner, outer, 2).is_some_and(|z| z < OPPOSED);
+        if is_opposed { self.opposed(outer, 0) } else { outer }
     }
 
     /// The triad of a new body, half turned about one of its axes if this brings it nearer to the other triad at the declared start.
@@ -207,13 +208,19 @@ impl Forest<'_> {
         // Half a turn about an axis reverses the products of the other two.
         let least = |least: (usize, f64), one: (usize, f64)| if one.1 < least.1 { one } else { least };
         let (about, others) = [(0, y + z), (1, z + x), (2, x + y)].into_iter().fold((0, OPPOSED), least);
-        if others < OPPOSED { outer.half_turned(self.arena, about) } else { outer }
+        if others < OPPOSED { self.opposed(outer, about) } else { outer }
+    }
+
+    fn opposed(&mut self, triad: Triad, about: usize) -> Triad {
+        self.has_opposed = true;
+        triad.half_turned(self.arena, about)
     }
 
     /// Product of one axis of two triads at the start, at the defaults; `None` if declared orientations do not say it.
     fn product_at_start(&mut self, inner: Triad, outer: Triad, axis: usize) -> Option<f64> {
         let [one, two] = [inner, outer].map(|triad| Place { body: triad.body, local: triad.axes[axis] });
-        if !outer.body.is_some_and(|body| self.has_orientation(body)) || !self.is_declared(one) {
+        let is_told = self.model.space.facing == Facing::Nearest && outer.body.is_some_and(|body| self.has_orientation(body));
+        if !is_told || !self.is_declared(one) {
             return None;
         }
         let [one, two] = [one, two].map(|place| self.hinged_at_start(place));
