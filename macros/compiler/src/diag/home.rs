@@ -51,7 +51,7 @@ const HOMES: [(&[&str], Home, Home); 17] = [
     (
         &["torque", "moment", "drive_torque", "drive_moment", "torque_motor"],
         Home::Force("motor(one, two, torque)"),
-        Home::Force("motor(a, body, torque)"),
+        Home::Force("motor(a, b, torque)"),
     ),
     (&["force", "drive_force", "thrust"], Home::Force("actuator(P, Q, F)"), Home::Force("actuator(P, Q, F)")),
     (&["damper", "dashpot"], Home::Force("damper(P, Q, damping)"), Home::Force("damper(P, Q, damping)")),

@@ -27,7 +27,7 @@ mod with_loads;
 
 use crate::assembly::Assembly;
 use crate::diag::Diag;
-use crate::expr::{Arena, Expr, Leaf, derivative};
+use crate::expr::{Arena, Expr, Leaf, Lookup, derivative};
 use crate::model::Model;
 use crate::numeric::{Numeric, at_defaults};
 use crate::quantity::Dim;
@@ -39,7 +39,7 @@ pub(crate) use loads::loads;
 pub use loads::{Loads, Multipliers};
 use order::{Grouping, OpenRows};
 use spins::BySpins;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 use trust::Trust;
 pub use with_loads::WithLoads;
 
@@ -166,7 +166,7 @@ pub(crate) fn derive(
 /// Eliminates explicit coordinates from the equations of motion.
 fn reduce(system: &System, structure: &Structure, balance: &Balance) -> Dynamics {
     let mut arena = system.arena.clone();
-    let mut known = HashMap::new();
+    let mut known = Lookup::default();
     let orientations: Vec<[Expr; 3]> = (0..system.frames.len()).flat_map(|body| system.orientation(&mut arena, body)).collect();
     let orientations: Vec<[Expr; 3]> = orientations.into_iter().map(|motion| motion.map(|expr| arena.plain(expr, &mut known))).collect();
     let [of_positions, of_speeds] = [&system.equations, &system.of_speeds].map(|list| plain(&mut arena, &mut known, list));
@@ -233,7 +233,7 @@ fn power_of_length(dim: Dim) -> u8 {
 }
 
 /// Equations without marks.
-fn plain(arena: &mut Arena, known: &mut HashMap<Expr, Expr>, equations: &[Equation]) -> Vec<Equation> {
+fn plain(arena: &mut Arena, known: &mut Lookup<Expr, Expr>, equations: &[Equation]) -> Vec<Equation> {
     let mut equations = equations.to_vec();
     for equation in &mut equations {
         if let Level::Position { phi } = &mut equation.level {

@@ -13,11 +13,10 @@ use super::order::{Grouping, OpenRows};
 use super::trust::Trust;
 use super::{MotionRow, freedoms, in_general, masses, plain, power_of_two};
 use crate::assembly::Assembly;
-use crate::expr::{Arena, Expr, Leaf, Substitution, Triple, Values, cross, dot, evaluate};
+use crate::expr::{Arena, Expr, Leaf, Lookup, Substitution, Triple, Values, cross, dot, evaluate};
 use crate::numeric::Numeric;
 use crate::quantity::{Axis, Role};
 use crate::system::EquationsBySpins;
-use std::collections::HashMap;
 
 /// Equations of motion by ω.
 #[derive(Clone, Debug)]
@@ -34,7 +33,7 @@ pub(super) struct BySpins {
 
 impl BySpins {
     /// Equations without marks.
-    pub(super) fn plain(arena: &mut Arena, known: &mut HashMap<Expr, Expr>, equations: &EquationsBySpins) -> EquationsBySpins {
+    pub(super) fn plain(arena: &mut Arena, known: &mut Lookup<Expr, Expr>, equations: &EquationsBySpins) -> EquationsBySpins {
         let EquationsBySpins { equations, of_speeds, forces, quaternions } = equations;
         EquationsBySpins {
             equations: plain(arena, known, equations),
@@ -125,7 +124,7 @@ impl BySpins {
         let mut of = |expr: Expr| spins.of(arena, expr);
         let values: Vec<Expr> = found.values.into_iter().map(&mut of).collect();
         let checks = found.checks.into_iter().map(|pair| pair.map(&mut of)).collect();
-        let mut values: HashMap<usize, Expr> = self.speeds.iter().copied().zip(values).collect();
+        let mut values: Lookup<usize, Expr> = self.speeds.iter().copied().zip(values).collect();
         for quaternion in &quaternions {
             let changes = [0, 1, 2].map(|k| values[&(quaternion.first + k)]);
             values.extend((quaternion.first..).zip(quaternion.second_derivative(arena, changes)));

@@ -7,8 +7,8 @@
 //! The inertia of a body that turns about a fixed axis does not depend on its angle: its centre's speeds along two axes, squared and added,
 //! say so by this law alone.
 
-use crate::expr::{Arena, Binary, Exact, Expr, Node, Unary};
-use std::collections::{BTreeMap, HashMap};
+use crate::expr::{Arena, Binary, Exact, Expr, Lookup, Node, Unary};
+use std::collections::BTreeMap;
 
 /// Sums of more products than this stay as they are.
 const MOST_PRODUCTS: usize = 64;
@@ -68,7 +68,7 @@ fn products(arena: &Arena, root: Expr) -> Option<Products> {
         Node::Binary(function, ..) => *function == Binary::Atan2,
         _ => true,
     };
-    let mut known: HashMap<Expr, Products> = HashMap::new();
+    let mut known: Lookup<Expr, Products> = Lookup::default();
     for expr in arena.reachable_above(&[root], is_factor) {
         let of = |part: Expr| known.get(&part).cloned();
         let alone = Products::from([(vec![expr], Exact::ONE)]);

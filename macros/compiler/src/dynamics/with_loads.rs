@@ -1,8 +1,7 @@
 //! Accelerations, the whole state and its loads in one routine, which computes sines and determinants once.
 
 use super::{Dynamics, Loads, Multipliers};
-use crate::expr::{Arena, Exact, Expr, Leaf, Node};
-use std::collections::HashMap;
+use crate::expr::{Arena, Exact, Expr, Leaf, Lookup, Node};
 
 /// A state and its loads as functions of the integrated coordinates and speeds.
 #[derive(Clone, Debug)]
@@ -20,18 +19,18 @@ impl WithLoads {
     pub(super) fn new(dynamics: &mut Dynamics, loads: &Loads) -> Option<WithLoads> {
         let (found, closed) = (dynamics.accelerations.as_ref()?, loads.closed.as_ref()?);
         let Multipliers { values, actions, checks } = closed;
-        let (arena, mut known) = (&mut dynamics.arena, HashMap::new());
+        let (arena, mut known) = (&mut dynamics.arena, Lookup::default());
         for (unknown, value) in dynamics.integrated.iter().zip(&found.values) {
             known.insert(Leaf::Acceleration(*unknown as u32), *value);
         }
         let own = arena.clone();
-        let mut state = Entering { known: &known, from: &own, memo: HashMap::new() };
+        let mut state = Entering { known: &known, from: &own, memo: Lookup::default() };
         let state: Vec<[Expr; 3]> = dynamics.state.iter().map(|motion| motion.map(|expr| state.of(arena, expr))).collect();
         for (number, motion) in (0..).zip(&state) {
             let leaves = [Leaf::Coordinate(number), Leaf::Speed(number), Leaf::Acceleration(number)];
             known.extend(leaves.into_iter().zip(*motion));
         }
-        let mut of_loads = Entering { known: &known, from: &loads.arena, memo: HashMap::new() };
+        let mut of_loads = Entering { known: &known, from: &loads.arena, memo: Lookup::default() };
         let loads = values.iter().chain(actions).map(|expr| of_loads.of(arena, *expr)).collect();
         let mut together = found.checks.clone();
         together.extend(checks.iter().map(|check| check.map(|expr| of_loads.of(arena, expr))));
@@ -42,9 +41,9 @@ impl WithLoads {
 /// Expressions of one arena on their way into another.
 struct Entering<'a> {
     /// What leaves become there.
-    known: &'a HashMap<Leaf, Expr>,
+    known: &'a Lookup<Leaf, Expr>,
     from: &'a Arena,
-    memo: HashMap<Expr, Expr>,
+    memo: Lookup<Expr, Expr>,
 }
 
 impl Entering<'_> {

@@ -1,6 +1,7 @@
 //! Storage of expressions: nodes by index. Equal expressions have equal indices.
 
-use std::collections::{BTreeSet, HashMap};
+use super::lookup::Lookup;
+use std::collections::BTreeSet;
 
 use super::frame::Frames;
 use super::precise::ConstantValue;
@@ -14,7 +15,7 @@ use super::{Binary, Exact, Expr, Leaf, Node, RULES, Unary};
 pub struct Arena {
     nodes: Vec<Node>,
     // Only looked up, never iterated, so that its order cannot reach the output.
-    places: HashMap<Node, Expr>,
+    places: Lookup<Node, Expr>,
     /// Value of each node that depends on constants only.
     pub(super) constants: Vec<Option<ConstantValue>>,
     /// Frames that turn in space, and vectors fixed in them.
@@ -249,8 +250,13 @@ impl Arena {
         let mut next = 0;
         while let Some(expr) = found.get(next).copied() {
             next += 1;
-            if !whole(expr) {
-                found.extend(self.node(expr).children().filter(|child| !known(*child) && reached.takes(*child)));
+            if whole(expr) {
+                continue;
+            }
+            for child in self.node(expr).children() {
+                if !known(child) && reached.takes(child) {
+                    found.push(child);
+                }
             }
         }
         reached.in_order(found.len())
@@ -259,7 +265,13 @@ impl Arena {
     /// The leaves that an expression depends on.
     #[must_use]
     pub fn leaves(&self, root: Expr) -> BTreeSet<Leaf> {
-        let under = self.reachable_to_values(&[root]);
+        self.leaves_of(&[root])
+    }
+
+    /// The leaves that any of several expressions depends on.
+    #[must_use]
+    pub fn leaves_of(&self, roots: &[Expr]) -> BTreeSet<Leaf> {
+        let under = self.reachable_to_values(roots);
         let leaf = |expr: Expr| match *self.node(expr) {
             Node::Leaf(leaf) => Some(leaf),
             _ => None,

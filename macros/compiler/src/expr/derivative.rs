@@ -3,8 +3,7 @@
 //! All other leaves are held fixed, including the rates of the leaf. Inputs are functions of time: by time they have their rates. At a kink (`abs` and `sign` at 0, the border of a `select`) the
 //! derivative is that of the branch that is evaluated there.
 
-use std::collections::HashMap;
-
+use super::lookup::Lookup;
 use super::{Arena, Binary, Expr, Leaf, Mark, Node, Unary};
 
 /// The partial derivative of `root` by one leaf.
@@ -16,14 +15,14 @@ pub fn derivative(arena: &mut Arena, root: Expr, by: Leaf) -> Expr {
 #[derive(Clone, Debug)]
 pub struct Derivatives {
     by: Leaf,
-    known: HashMap<Expr, Expr>,
+    known: Lookup<Expr, Expr>,
 }
 
 impl Derivatives {
     /// Creates an empty cache of derivatives by `by`.
     #[must_use]
     pub fn new(by: Leaf) -> Self {
-        Derivatives { by, known: HashMap::new() }
+        Derivatives { by, known: Lookup::default() }
     }
 
     /// The derivative of `root`.

@@ -9,8 +9,9 @@
 //!
 //! A vector fixed in a frame is differentiated as a whole by these rules, and only then written as scalars.
 
+use super::lookup::Lookup;
 use super::{Arena, Expr, Leaf, Mark, Node};
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::BTreeMap;
 
 /// Three components along the axes of ground or of a frame.
 pub type Triple = [Expr; 3];
@@ -43,7 +44,7 @@ pub(super) struct Frames {
     /// For frames whose speeds are ω in their own axes, the number of the first of these.
     spins: BTreeMap<usize, u32>,
     // Only looked up, never iterated.
-    numbers: HashMap<(usize, Triple), u32>,
+    numbers: Lookup<(usize, Triple), u32>,
 }
 
 /// A vector fixed in a frame.
@@ -131,7 +132,7 @@ impl Arena {
     fn motion_of(&mut self, frame: usize, local: Triple) -> (Option<usize>, Triple) {
         let columns = self.frames.frames[frame].columns;
         let components = combination(self, local, columns);
-        let leaves: BTreeSet<Leaf> = components.iter().flat_map(|component| self.leaves(*component)).collect();
+        let leaves = self.leaves_of(&components);
         let mut moving = Some(frame);
         while let Some(frame) = moving {
             let Frame { against, own, .. } = &self.frames.frames[frame];
@@ -217,7 +218,7 @@ impl Arena {
     }
 
     /// The expression without marks, in the same arena.
-    pub(crate) fn plain(&mut self, root: Expr, known: &mut HashMap<Expr, Expr>) -> Expr {
+    pub(crate) fn plain(&mut self, root: Expr, known: &mut Lookup<Expr, Expr>) -> Expr {
         for expr in self.reachable_until(&[root], |e| known.contains_key(&e)) {
             let node = *self.node(expr);
             let children: Vec<Expr> = node.children().map(|child| known[&child]).collect();

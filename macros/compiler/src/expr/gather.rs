@@ -8,8 +8,8 @@
 //! A position that is reached through a body has one arm for each of the two joints there. Written as one vector they have one
 //! derivative. No rule of simplification does this: it reassociates sums.
 
+use super::lookup::{Lookup, Members};
 use super::{Arena, Binary, Exact, Expr, Mark, Node, Triple, Unary};
-use std::collections::{BTreeSet, HashMap};
 
 /// A term: a coefficient times an expression.
 type Term = (Exact, Expr);
@@ -34,30 +34,41 @@ impl Arena {
         let whole = |node: &Node| matches!(node, Node::Marked { .. });
         let all = self.reachable_above(&[root], whole);
         // Sums within sums are gathered with the outermost one.
-        let operands =
-            all.iter().map(|expr| *self.node(*expr)).filter(|node| !is_sum(node) && !whole(node)).flat_map(|node| node.children());
-        let outermost: BTreeSet<Expr> = operands.chain([root]).collect();
-        let mut known: HashMap<Expr, Expr> = HashMap::new();
+        let mut outermost = Members::default();
+        outermost.insert(root);
+        for node in all.iter().map(|expr| self.node(*expr)).filter(|node| !is_sum(node) && !whole(node)) {
+            outermost.extend(node.children().filter(|child| is_sum(self.node(*child))));
+        }
+        // Expressions that have changed.
+        let mut known: Lookup<Expr, Expr> = Lookup::default();
         for expr in all {
             let node = *self.node(expr);
+            if whole(&node) {
+                continue;
+            }
             let mut gathered = expr;
-            if !whole(&node) {
-                let children: Vec<Expr> = node.children().map(|child| known[&child]).collect();
+            if !known.is_empty() && node.children().any(|child| known.contains_key(&child)) {
+                let children: Vec<Expr> = node.children().map(|child| known.get(&child).copied().unwrap_or(child)).collect();
                 gathered = self.with_children(expr, &children);
             }
             if is_sum(&node) && outermost.contains(&expr) {
                 gathered = self.gather(gathered);
             }
-            known.insert(expr, gathered);
+            if gathered != expr {
+                known.insert(expr, gathered);
+            }
         }
-        known[&root]
+        known.get(&root).copied().unwrap_or(root)
     }
 
     /// One sum with its terms gathered: others in the order in which they first appear, then vectors that have become one.
     fn gather(&mut self, sum: Expr) -> Expr {
-        let mut kinds: Vec<(TermKind, Vec<Term>)> = Vec::new();
-        let mut places: HashMap<TermKind, usize> = HashMap::new();
         let terms = self.terms(sum);
+        if terms.iter().filter(|(_, expr)| matches!(self.node(*expr), Node::Marked { mark: Mark::Turned { .. }, .. })).count() < 2 {
+            return sum;
+        }
+        let mut kinds: Vec<(TermKind, Vec<Term>)> = Vec::new();
+        let mut places: Lookup<TermKind, usize> = Lookup::default();
         for term in &terms {
             let kind = self.kind(term.1);
             let place = *places.entry(kind).or_insert(kinds.len());

@@ -4,9 +4,8 @@
 //! has rate 1, parameters are constant. The derivatives are propagated together as Taylor coefficients through each operation, which
 //! gives shorter and better conditioned expressions than differentiating twice.
 
-use std::collections::HashMap;
-
 use super::derivative::{cosine_of_arcsine, one_plus_square, sum_of_squares, turning};
+use super::lookup::Lookup;
 use super::{Arena, Binary, Expr, Leaf, Mark, Node, Unary};
 
 /// Value, first and second derivative.
@@ -70,14 +69,14 @@ impl Seed {
 #[derive(Clone, Debug)]
 pub struct Jets {
     seed: Seed,
-    known: HashMap<Expr, Jet>,
+    known: Lookup<Expr, Jet>,
 }
 
 impl Jets {
     /// Creates an empty cache of jets along a seed.
     #[must_use]
     pub fn along(seed: Seed) -> Self {
-        Jets { seed, known: HashMap::new() }
+        Jets { seed, known: Lookup::default() }
     }
 
     /// Value, first and second derivative of `root`.

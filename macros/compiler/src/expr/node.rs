@@ -193,13 +193,29 @@ impl Node {
     }
 
     /// The operands, in writing order.
-    pub fn children(&self) -> impl Iterator<Item = Expr> + use<> {
-        let operands = match *self {
-            Node::Constant(_) | Node::Leaf(_) => [None; 4],
-            Node::Unary(_, a) | Node::Call { argument: a, .. } | Node::Marked { value: a, .. } => [Some(a), None, None, None],
-            Node::Binary(_, a, b) => [Some(a), Some(b), None, None],
-            Node::Select { lhs, rhs, then, otherwise } => [Some(lhs), Some(rhs), Some(then), Some(otherwise)],
-        };
-        operands.into_iter().flatten()
+    pub fn children(&self) -> Operands {
+        match *self {
+            Node::Constant(_) | Node::Leaf(_) => Operands { all: [Expr(0); 4], next: 4 },
+            Node::Unary(_, a) | Node::Call { argument: a, .. } | Node::Marked { value: a, .. } => Operands { all: [a; 4], next: 3 },
+            Node::Binary(_, a, b) => Operands { all: [a, a, a, b], next: 2 },
+            Node::Select { lhs, rhs, then, otherwise } => Operands { all: [lhs, rhs, then, otherwise], next: 0 },
+        }
+    }
+}
+
+/// The operands of a node, the last of `all`.
+#[derive(Clone, Copy, Debug)]
+pub struct Operands {
+    all: [Expr; 4],
+    next: usize,
+}
+
+impl Iterator for Operands {
+    type Item = Expr;
+
+    fn next(&mut self) -> Option<Expr> {
+        let operand = self.all.get(self.next).copied();
+        self.next += 1;
+        operand
     }
 }

@@ -3,8 +3,7 @@
 //! The formula is for reading: it shows neither sharing nor the order of association, and operands that make it too long are replaced
 //! by `…`.
 
-use std::collections::HashMap;
-
+use super::lookup::Lookup;
 use super::{Arena, Binary, Exact, Expr, Leaf, Node, Unary};
 
 /// Longest formula in characters, unless one name is longer.
@@ -46,7 +45,7 @@ use Token::Sign;
 /// The expression as a formula with few parentheses.
 #[must_use]
 pub fn show(arena: &Arena, root: Expr, name: &dyn Fn(Leaf) -> String, function: &dyn Fn(u32) -> String) -> String {
-    let mut formulas = HashMap::new();
+    let mut formulas = Lookup::default();
     for expr in arena.reachable(&[root]) {
         let formula = compose(arena, expr, &formulas, name, function);
         formulas.insert(expr, formula);
@@ -57,7 +56,7 @@ pub fn show(arena: &Arena, root: Expr, name: &dyn Fn(Leaf) -> String, function: 
 fn compose(
     arena: &Arena,
     expr: Expr,
-    formulas: &HashMap<Expr, Formula>,
+    formulas: &Lookup<Expr, Formula>,
     name: &dyn Fn(Leaf) -> String,
     function: &dyn Fn(u32) -> String,
 ) -> Formula {

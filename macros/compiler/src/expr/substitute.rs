@@ -1,13 +1,14 @@
 //! Replaces leaves by expressions.
 
+use super::lookup::Lookup;
 use super::{Arena, Expr, Leaf, Node};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 /// Replacements of leaves by expressions. A substitution belongs to one arena.
 #[derive(Clone, Debug, Default)]
 pub struct Substitution {
     map: BTreeMap<Leaf, Expr>,
-    memo: HashMap<Expr, Expr>,
+    memo: Lookup<Expr, Expr>,
 }
 
 impl Substitution {

@@ -9,7 +9,7 @@
 mod tests;
 
 use super::stage::Stage;
-use crate::expr::{Arena, Binary, Expr, Leaf, Node, Unary};
+use crate::expr::{Arena, Binary, Expr, Leaf, Members, Node, Unary};
 use std::collections::BTreeSet;
 
 /// The unknowns of a stage that may not be finite, or whose derivatives may not be.
@@ -77,7 +77,7 @@ fn is_given(arena: &Arena, expr: Expr) -> bool {
 /// Poles at which one of these is not finite: NaN and infinity pass through sums, products, numerators and square roots, but not through
 /// divisors or the choice between two values.
 fn shown(arena: &Arena, roots: &[Expr]) -> BTreeSet<Expr> {
-    let (mut found, mut seen) = (BTreeSet::new(), BTreeSet::new());
+    let (mut found, mut seen) = (BTreeSet::new(), Members::default());
     let mut pending = roots.to_vec();
     while let Some(expr) = pending.pop() {
         if !seen.insert(expr) {

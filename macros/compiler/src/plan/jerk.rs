@@ -154,7 +154,7 @@ pub(super) fn by_components(arena: &mut Arena, system: &Iteration) -> Vec<Vec<Ex
 /// The unknowns whose third derivatives occur.
 fn numbers(arena: &Arena, roots: &[Expr]) -> BTreeSet<usize> {
     let number = |leaf: Leaf| if let Leaf::Jerk(number) = leaf { Some(number as usize) } else { None };
-    roots.iter().flat_map(|root| arena.leaves(*root)).filter_map(number).collect()
+    arena.leaves_of(roots).into_iter().filter_map(number).collect()
 }
 
 struct Differentiator<'a> {

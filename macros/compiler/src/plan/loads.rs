@@ -4,11 +4,10 @@ use super::routine::Routine;
 use super::schedule;
 use super::words::Words;
 use crate::dynamics::Loads;
-use crate::expr::{Arena, Expr, Node, Unary};
+use crate::expr::{Arena, Expr, Members, Node, Unary};
 use crate::model::{Model, Name};
 use crate::quantity::Ambient;
 use crate::system::{LoadEquations, System};
-use std::collections::HashSet;
 use std::ops::Range;
 
 /// Code of the loads, each routine with its results in the order stated.
@@ -144,7 +143,7 @@ fn alone(loads: &Loads, load: &NamedLoad) -> Option<Vec<Expr>> {
     let is_equations = load.kind == LoadKind::Equations;
     let multipliers = if !is_equations { &[] } else { &closed.values[load.multipliers.clone()] };
     let mut results: Vec<Expr> = multipliers.iter().chain(&closed.actions[load.actions.clone()]).copied().collect();
-    let reached = |roots: &[Expr]| arena.reachable(roots).into_iter().collect::<HashSet<Expr>>();
+    let reached = |roots: &[Expr]| arena.reachable(roots).into_iter().collect::<Members<Expr>>();
     let whole: Vec<Expr> = closed.values.iter().chain(&closed.actions).copied().collect();
     let (own, all) = (reached(&results), reached(&whole));
     let divisor = |size: Expr| match *arena.node(size) {

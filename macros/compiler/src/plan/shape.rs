@@ -7,8 +7,7 @@
 //! Operands of sums and products commute without changing a bit of the result. The arena orders them by creation time; here they are sorted
 //! by structural hash, so that equal shapes compare equal.
 
-use crate::expr::{Arena, Binary, Exact, Expr, Leaf, Node, Unary};
-use std::collections::HashMap;
+use crate::expr::{Arena, Binary, Exact, Expr, Leaf, Lookup, Members, Node, Unary};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// One list of expressions that stands for several pieces.
@@ -123,7 +122,7 @@ impl<'a> Tracer<'a> {
 
     /// Shapes of some pieces in the order of their first occurrence, and the index of each piece's shape.
     pub(super) fn shapes(&self, pieces: &[Piece]) -> (Vec<Shape>, Vec<usize>) {
-        let mut numbers: HashMap<(Vec<u32>, Vec<Operation>), usize> = HashMap::new();
+        let mut numbers: Lookup<(Vec<u32>, Vec<Operation>), usize> = Lookup::default();
         let mut members: Vec<Vec<Trace>> = Vec::new();
         let mut of_piece = Vec::new();
         for piece in pieces {
@@ -140,7 +139,7 @@ impl<'a> Tracer<'a> {
 
     fn trace(&self, first: &[u32], results: &[Expr]) -> Trace {
         let mut trace = Trace { marks: Vec::new(), unknowns: first.to_vec(), parameters: Vec::new(), data: Vec::new() };
-        let mut places: HashMap<Expr, u32> = HashMap::new();
+        let mut places: Lookup<Expr, u32> = Lookup::default();
         for result in results {
             for expr in self.below(*result, &places) {
                 let operands: Vec<u32> = self.operands(expr).into_iter().map(|operand| self.place(&mut trace, &places, operand)).collect();
@@ -165,7 +164,7 @@ impl<'a> Tracer<'a> {
     }
 
     /// Index of an operand in the trace; a constant gets a new one at each occurrence.
-    fn place(&self, trace: &mut Trace, places: &HashMap<Expr, u32>, operand: Expr) -> u32 {
+    fn place(&self, trace: &mut Trace, places: &Lookup<Expr, u32>, operand: Expr) -> u32 {
         places.get(&operand).copied().unwrap_or_else(|| {
             trace.data.push(operand);
             trace.push(Operation::Datum)
@@ -173,9 +172,9 @@ impl<'a> Tracer<'a> {
     }
 
     /// Nodes not yet in the trace, operands first, constants left out.
-    fn below(&self, root: Expr, places: &HashMap<Expr, u32>) -> Vec<Expr> {
+    fn below(&self, root: Expr, places: &Lookup<Expr, u32>) -> Vec<Expr> {
         let mut found = Vec::new();
-        let mut seen = std::collections::HashSet::new();
+        let mut seen = Members::default();
         let mut pending = vec![(root, false)];
         while let Some((expr, is_entered)) = pending.pop() {
             if is_entered {
@@ -310,7 +309,7 @@ impl Copy {
         if let Some(number) = from.value(root).and_then(Exact::binary).filter(is_same) {
             return self.arena.place(Node::Constant(number));
         }
-        let mut copies: HashMap<Expr, Expr> = HashMap::new();
+        let mut copies: Lookup<Expr, Expr> = Lookup::default();
         for expr in from.reachable(&[root]) {
             let at = |operand: Expr| copies[&operand];
             let node = match *from.node(expr) {

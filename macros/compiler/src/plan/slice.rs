@@ -97,7 +97,7 @@ fn leaves(arena: &Arena, stage: &Stage) -> BTreeSet<usize> {
         Leaf::Coordinate(index) | Leaf::Speed(index) | Leaf::Acceleration(index) | Leaf::Jerk(index) => Some(*index as usize),
         Leaf::Time | Leaf::Parameter(_) | Leaf::Input { .. } | Leaf::Datum(_) | Leaf::Turn(_) => None,
     };
-    stage.results().iter().flat_map(|result| arena.leaves(*result)).filter_map(|found| leaf(&found)).collect()
+    arena.leaves_of(&stage.results()).iter().filter_map(leaf).collect()
 }
 
 /// A slice's state holds iterated unknowns (for the predictor), varying computed angles (for the step test), outputs, and, with shared

@@ -2,11 +2,10 @@
 
 use super::stage::{Iteration, Origin, Stage};
 use crate::assembly::Assembly;
-use crate::expr::{Arena, Expr, Values, evaluate};
+use crate::expr::{Arena, Expr, Lookup, Values, evaluate};
 use crate::model::Model;
 use crate::numeric;
 use crate::system::{OutputMotion, System};
-use std::collections::HashMap;
 
 /// Stages that compute the orientations of the bodies, after all unknowns.
 pub(super) fn orientations(arena: &mut Arena, system: &System) -> Vec<Stage> {
@@ -33,7 +32,7 @@ pub(super) fn without_marks(arena: &mut Arena, stages: &mut [Stage], outputs: &m
     if !arena.is_spatial() {
         return;
     }
-    let mut known = HashMap::new();
+    let mut known = Lookup::default();
     for stage in stages {
         match stage {
             Stage::Explicit { motion, .. } => each(arena, &mut known, motion),
@@ -60,7 +59,7 @@ pub(super) fn plain_outputs(arena: &mut Arena, system: &System) -> Vec<OutputMot
     outputs
 }
 
-fn each(arena: &mut Arena, known: &mut HashMap<Expr, Expr>, list: &mut [Expr]) {
+fn each(arena: &mut Arena, known: &mut Lookup<Expr, Expr>, list: &mut [Expr]) {
     list.iter_mut().for_each(|expr| *expr = arena.plain(*expr, known));
 }
 

@@ -52,7 +52,7 @@ impl Stage {
 
     /// True if time or an input occurs in its expressions.
     pub(super) fn depends_on_time(&self, arena: &Arena) -> bool {
-        self.results().iter().any(|result| arena.leaves(*result).into_iter().any(Leaf::is_of_time))
+        arena.leaves_of(&self.results()).into_iter().any(Leaf::is_of_time)
     }
 
     /// All results of the stage.

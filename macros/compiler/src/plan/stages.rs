@@ -11,11 +11,11 @@
 use super::linear;
 use super::stage::{Iteration, Origin, Stage};
 use super::turning::{put_columns, turning_bodies};
-use crate::expr::{Arena, Expr, Jets, Leaf, Node, Seed, Substitution, derivative};
+use crate::expr::{Arena, Expr, Jets, Leaf, Lookup, Members, Node, Seed, Substitution, derivative};
 use crate::quantity::Dim;
 use crate::structure::{Block, Explicit, Structure};
 use crate::system::{OutputMotion, System, magnitude};
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::BTreeSet;
 
 /// Stages of a mechanism whose unknowns all belong to blocks, and outputs with constants substituted.
 pub(super) fn stages(
@@ -29,9 +29,9 @@ pub(super) fn stages(
         system,
         jets: Jets::along(Seed::motion(system.rates())),
         constants: Substitution::new(),
-        plain: HashMap::new(),
+        plain: Lookup::default(),
         found: BTreeSet::new(),
-        computed: HashSet::new(),
+        computed: Members::default(),
     };
     let mut stages: Vec<Stage> = structure.blocks.iter().flat_map(|block| work.block(block)).collect();
     let orientations = super::space::orientations(work.arena, system);
@@ -48,11 +48,11 @@ struct StageBuilder<'a> {
     /// Values, rates and accelerations known to be constant.
     constants: Substitution,
     /// Expressions without marks.
-    plain: HashMap<Expr, Expr>,
+    plain: Lookup<Expr, Expr>,
     /// Coordinates of earlier stages.
     found: BTreeSet<u32>,
     /// Expressions that earlier stages in space compute. Only looked up, never iterated.
-    computed: HashSet<Expr>,
+    computed: Members<Expr>,
 }
 
 impl StageBuilder<'_> {
@@ -164,7 +164,7 @@ impl StageBuilder<'_> {
             Leaf::Coordinate(number) | Leaf::Speed(number) | Leaf::Acceleration(number) | Leaf::Jerk(number) => Some(number),
             Leaf::Time | Leaf::Parameter(_) | Leaf::Input { .. } | Leaf::Datum(_) | Leaf::Turn(_) => None,
         };
-        roots.iter().flat_map(|root| self.arena.leaves(*root)).filter_map(number).collect()
+        self.arena.leaves_of(roots).into_iter().filter_map(number).collect()
     }
 
     /// A stage with constants substituted.

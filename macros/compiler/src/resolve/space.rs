@@ -8,7 +8,7 @@
 
 use super::{elaborate::Elaborator, statement::ScalarEquation};
 use crate::diag::{ArityFact, Range, ValueFact, Wanted};
-use crate::expr::{Expr, Frame, Leaf, Mark, Node, Triple, cross, dot};
+use crate::expr::{Expr, Frame, Leaf, Lookup, Mark, Node, Triple, cross, dot};
 use crate::geometry::{
     Components, Geometry, JointQuantity, Place, Relationship, Rotation, Triad, Turn, angle_near, difference, longest, natural, rotated,
     rotation,
@@ -19,7 +19,6 @@ use crate::names::{Arguments, Fixed, FrameId, Scalar, Scope, Value, Vector};
 use crate::quantity::{Dim, InferredDim, Role};
 use crate::syntax::ast::{self, Statement};
 use proc_macro2::Ident;
-use std::collections::HashMap;
 
 /// Built-in functions of space.
 pub(crate) const BUILTINS: &[&str] = &["across", "along", "joint_angle", "misalignment", "turn", "x_axis", "y_axis", "z_axis"];
@@ -31,10 +30,10 @@ pub(super) struct Notes {
     /// Declared starts of angles and displacements of joints.
     pub(super) starts: Vec<JointStart>,
     /// Relations that hold where these expressions vanish.
-    origins: HashMap<Vec<Expr>, Relationship>,
+    origins: Lookup<Vec<Expr>, Relationship>,
     /// Points whose difference has these components: the second minus the first.
-    differences: HashMap<[Expr; 3], (Place, Place)>,
-    triads: HashMap<(Place, Option<Triple>), Triad>,
+    differences: Lookup<[Expr; 3], (Place, Place)>,
+    triads: Lookup<(Place, Option<Triple>), Triad>,
 }
 
 impl Elaborator<'_> {

@@ -8,10 +8,9 @@
 
 use super::rows::{Differentiation, Row};
 use super::{Equation, Level};
-use crate::expr::{Arena, Expr, Leaf, Seed, Substitution};
+use crate::expr::{Arena, Expr, Leaf, Lookup, Seed, Substitution};
 use crate::model::{DECLARED, Model, declared_coordinate, declared_rates};
 use crate::quantity::{Role, SpeedRole};
-use std::collections::HashMap;
 
 /// Equations by the coordinates and speeds of bodies in space.
 #[derive(Clone, Debug)]
@@ -74,7 +73,7 @@ fn touched(arena: &Arena, phi: Expr, bodies: usize) -> Vec<usize> {
 /// Numbers declared coordinates and speeds from 0, and removes marks.
 fn renumber(arena: &mut Arena, equations: &mut [Equation], count: usize) {
     let mut numbered = Substitution::new();
-    let mut known = HashMap::new();
+    let mut known = Lookup::default();
     for number in 0..count as u32 {
         for leaf in [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration] {
             let new = arena.leaf(leaf(number));

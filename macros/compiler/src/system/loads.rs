@@ -8,10 +8,10 @@
 
 use super::rows::Row;
 use super::{COSINES, Equation, Level, balance, cosine, declared, dynamics, parallel};
-use crate::expr::{Arena, Binary, Expr, Leaf, Mark, Node, Substitution, Triple, combination, derivative};
+use crate::expr::{Arena, Binary, Expr, Leaf, Lookup, Mark, Node, Substitution, Triple, combination, derivative};
 use crate::model::{DECLARED, Model, Triad};
 use crate::quantity::{Dim, Role, SpeedRole};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 /// Forces that joints and drives have to supply: M u̇ − Q.
 #[derive(Clone, Debug)]
@@ -109,7 +109,7 @@ impl LoadEquations {
 
     /// In space, with vectors of bodies by the entries of rotation matrices, ω and ω̇ as a state holds them behind its unknowns.
     pub(super) fn by_state(self, arena: &mut Arena, frames: &[usize], unknowns: usize) -> LoadEquations {
-        let mut known = HashMap::new();
+        let mut known = Lookup::default();
         for (body, frame) in frames.iter().enumerate() {
             let frame = arena.frame(*frame);
             let [velocity, acceleration] = [frame.velocity, frame.acceleration];
@@ -133,7 +133,7 @@ impl LoadEquations {
                 let new = match node {
                     Node::Marked { mark: Mark::Turned { vector, axis }, value } => {
                         turned(arena, frames, unknowns, vector, usize::from(axis))
-                            .unwrap_or_else(|| arena.plain(value, &mut HashMap::new()))
+                            .unwrap_or_else(|| arena.plain(value, &mut Lookup::default()))
                     }
                     Node::Marked { value, .. } => known[&value],
                     _ => {
@@ -159,7 +159,7 @@ fn turned(arena: &mut Arena, frames: &[usize], unknowns: usize, vector: u32, axi
 /// Angles of joints as variables of their own: where the axes stay in one direction, an angle turns with the bodies about the axis.
 struct JointAngles {
     known: Vec<JointAngle>,
-    replaced: HashMap<Expr, Expr>,
+    replaced: Lookup<Expr, Expr>,
     back: Substitution,
 }
 
@@ -188,7 +188,7 @@ impl JointAngles {
             }
             known.push(JointAngle { leaf, expr: *expr, turns });
         }
-        JointAngles { known, replaced: HashMap::new(), back }
+        JointAngles { known, replaced: Lookup::default(), back }
     }
 
     /// An expression with the leaves of angles.

@@ -7,11 +7,10 @@
 
 use super::{Coordinate, Equation, Level};
 use crate::diag::{Diag, NoPosition, SystemFact};
-use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Seed, Substitution, derivative};
+use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Lookup, Seed, Substitution, derivative};
 use crate::model::{Model, Said};
 use crate::quantity::Dim;
 use crate::syntax::ast::Task;
-use std::collections::HashMap;
 
 /// A row before it is differentiated.
 pub(super) struct Row {
@@ -178,7 +177,7 @@ pub(super) fn begin_at_start(model: &Model, arena: &mut Arena, coordinates: &[Co
     }
     for row in rows.iter_mut().filter(|row| row.is_initial && !row.is_velocity) {
         if model.joints[row.joint].freedom.is_some_and(|freedom| freedom.is_from_start) {
-            let plain = arena.plain(row.residual, &mut HashMap::new());
+            let plain = arena.plain(row.residual, &mut Lookup::default());
             let start = at_start.of(arena, plain);
             row.residual = arena.sub(row.residual, start);
         }
@@ -187,7 +186,7 @@ pub(super) fn begin_at_start(model: &Model, arena: &mut Arena, coordinates: &[Co
 
 /// Σ a (q − q₀) − b t of a row of velocities a · u = b with constant factors; q₀ are the declared start values.
 fn integral(arena: &mut Arena, coordinates: &[Coordinate], residual: Expr) -> Result<Expr, NoPosition> {
-    let residual = arena.plain(residual, &mut HashMap::new());
+    let residual = arena.plain(residual, &mut Lookup::default());
     let (factors, side) = affine(arena, residual);
     let is_fixed = |arena: &Arena, expr: Expr| arena.leaves(expr).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_)));
     if !factors.iter().all(|(_, factor)| is_fixed(arena, *factor)) {

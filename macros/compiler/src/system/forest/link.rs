@@ -166,7 +166,7 @@ impl Forest<'_> {
         self.lines_of_links.insert(link.body, (triad, x));
         let directions = LinkDirections { x, z, v, reach, normal };
         let neighbour = link.arm[0].body.and_then(|body| self.frames[body]);
-        let mut own: BTreeSet<Leaf> = x.iter().flat_map(|part| self.arena.leaves(*part)).collect();
+        let mut own = self.arena.leaves_of(&x);
         own.extend(neighbour.iter().flat_map(|frame| self.arena.frame(*frame).turns.iter().map(|(leaf, _)| *leaf)));
         own.retain(|leaf| matches!(leaf, Leaf::Coordinate(_)));
         let turns = own.iter().map(|leaf| (*leaf, self.turn_of(&directions, neighbour, *leaf))).collect();

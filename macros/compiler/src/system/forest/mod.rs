@@ -20,11 +20,11 @@ mod start;
 
 use super::rows::Row;
 use super::{Balance, Choice, Coordinate, LoadEquations};
-use crate::expr::{Arena, Expr, Leaf, Triple};
+use crate::expr::{Arena, Expr, Leaf, Lookup, Triple};
 use crate::model::{DECLARED, Model, Place, Relationship, Triad};
 use crate::quantity::{Ambient, Axis, Role};
 use crate::syntax::ast::Task;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Unknowns and rows of a mechanism in space.
 pub(super) struct Forest<'a> {
@@ -47,7 +47,7 @@ pub(super) struct Forest<'a> {
     /// Angles between triads.
     angles: Vec<(Triad, Triad, Expr)>,
     /// Displacements along lines that place a body, by number of the quantity.
-    displacements: HashMap<u32, Expr>,
+    displacements: Lookup<u32, Expr>,
     /// Angles that joints name but that place no body, by number of the quantity.
     further_angles: BTreeMap<u32, Expr>,
     /// True if a triad was half turned towards its declared start.
@@ -59,7 +59,7 @@ pub(super) struct Forest<'a> {
     /// Rows that hold by construction.
     holding: BTreeSet<(usize, usize)>,
     rows: Vec<Row>,
-    rewritten: HashMap<Expr, Expr>,
+    rewritten: Lookup<Expr, Expr>,
 }
 
 /// A body at the start whose orientation is not declared.
@@ -99,14 +99,14 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena, free_speeds: FreeSpeeds) 
         origins: BTreeMap::new(),
         placed: BTreeSet::new(),
         angles: Vec::new(),
-        displacements: HashMap::new(),
+        displacements: Lookup::default(),
         further_angles: BTreeMap::new(),
         has_opposed: false,
         linked: BTreeSet::new(),
         lines_of_links: BTreeMap::new(),
         holding: BTreeSet::new(),
         rows: Vec::new(),
-        rewritten: HashMap::new(),
+        rewritten: Lookup::default(),
     };
     forest.positions();
     let links = forest.links();
