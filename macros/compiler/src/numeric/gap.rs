@@ -16,6 +16,7 @@ use super::least_squares::{Linearization, Problem, minimise};
 use crate::diag::Gap;
 use crate::expr::{Expr, Values, evaluate};
 use crate::linear::dense::cholesky;
+use crate::model::Relationship;
 use crate::quantity::Dim;
 use crate::system::Equation;
 
@@ -96,6 +97,8 @@ impl Numeric<'_> {
     /// Residual of a joint in m and rad, at given values of all unknowns.
     fn gap(&self, rows: &[usize], coordinates: &[f64]) -> Gap {
         let mut gap = Gap { length: 0.0, angle: 0.0, other: None };
+        // Rows of unit vectors: together the sine of the angle that is missing.
+        let mut sine = 0.0_f64;
         for equation in rows.iter().map(|equation| &self.system.equations[*equation]) {
             let Some(phi) = equation.phi() else { continue };
             let roots: Vec<Expr> = std::iter::once(phi).chain(equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
@@ -104,6 +107,7 @@ impl Numeric<'_> {
             match equation.dim {
                 dim if dim == Dim::LENGTH => gap.length = gap.length.hypot(phi),
                 dim if dim == Dim::ANGLE => gap.angle = gap.angle.hypot(phi),
+                dim if dim == Dim::NUMBER && self.is_of_directions(equation) => sine = sine.hypot(phi),
                 dim if dim == Dim::LENGTH.times(Dim::LENGTH) && self.is_placed(equation) => {
                     // Φ = |h|² − c²; its derivative by the position of the first body is 2 h.
                     let body = equation.jacobian.iter().map(|(unknown, _)| self.system.coordinates[*unknown].body).min();
@@ -123,7 +127,16 @@ impl Numeric<'_> {
                 _ => {}
             }
         }
+        gap.angle = gap.angle.hypot(sine.min(1.0).asin());
         gap
+    }
+
+    /// True if an equation relates directions of axes.
+    fn is_of_directions(&self, equation: &Equation) -> bool {
+        self.model.space.relations.iter().any(|(joint, row, relation)| {
+            let is_of_it = *joint == equation.joint && (*row..*row + relation.rows()).contains(&equation.row);
+            is_of_it && !matches!(relation, Relationship::Coincident(..) | Relationship::OnLine(..) | Relationship::Equal(..))
+        })
     }
 
     /// True if an equation contains a position, not only angles.

@@ -124,11 +124,12 @@ fn remainder(system: &System, left: &Sum) -> Option<f64> {
     (sum.is_finite() && sum.abs() > ROOTS).then_some(sum)
 }
 
-/// Size of the contradiction; for two axes of one direction, the angle between them.
+/// Size of the contradiction; for the directions of two axes, the angle that is missing between them.
 fn off(model: &Model, system: &System, found: &Dependent, own: &[(&Dependent, f64)]) -> String {
     let Equation { joint, row, dim, .. } = system.equations[found.row];
     let is_of_it = |row: usize, (at, first, relation): &(usize, usize, Relationship)| {
-        *at == joint && (*first..first + 2).contains(&row) && matches!(relation, Relationship::SameDirection(..))
+        let is_of_directions = matches!(relation, Relationship::SameDirection(..) | Relationship::Perpendicular(..));
+        *at == joint && (*first..first + relation.rows()).contains(&row) && is_of_directions
     };
     if let Some(relation) = model.space.relations.iter().find(|relation| is_of_it(row, relation)) {
         let of_axes = own.iter().filter(|(other, _)| is_of_it(system.equations[other.row].row, relation));

@@ -122,6 +122,24 @@ fn an_angle_that_is_not_reached_is_told_in_degrees() {
     }
 }
 
+/// An axis goes round a cone about z, another one a cone about x: between them there are at least 90° less both half angles.
+#[test]
+fn directions_that_are_not_reached_are_told_in_degrees() {
+    for (one, two) in [(30.0_f64, 20.0_f64), (50.0, 1.0), (10.0, 79.0)] {
+        let source = format!(
+            "mechanism Cones in space {{ ground {{ axis x = (1, 0, 0); axis z = (0, 0, 1); }}
+                body a {{ axis z = (0, 0, 1); axis u = (sin({one}deg), 0, cos({one}deg)); }}
+                body b {{ axis x = (1, 0, 0); axis v = (cos({two}deg), 0, sin({two}deg)); }}
+                joint o = revolute(ground.position, ground.z, a.position, a.z);
+                joint p = revolute(ground.position, ground.x, b.position, b.x);
+                joint tie = parallel_axes(a.u, b.v); }}"
+        );
+        let (length, angle, _) = gap(&source, "tie");
+        assert!(length < 1e-6, "{length}");
+        assert_near(angle, 90.0 - one - two, &source);
+    }
+}
+
 #[test]
 fn a_loop_of_bodies_with_two_rods_is_measured_at_its_last_rod() {
     // A platform of 60 mm on two rods at a fixed height: Pythagoras' theorem gives the missing length of the rods.
