@@ -88,7 +88,8 @@ codes! {
     // Kinds and dimensions.
     E0301: Value::NotA Value::NotAnOutput Value::NotAStart Motion::TorqueWithoutAxis Motion::TorqueWithAxis Motion::ForceWithoutDirection
         Motion::GravityWithoutDirection
-        Motion::ForceAtNoPoint Motion::TorqueOnNoBody Motion::ValueForForce Motion::ValueForConstraint Motion::FreedomOfJoint Motion::FreedomOfOrientation;
+        Motion::ForceAtNoPoint Motion::TorqueOnNoBody Motion::ValueForForce Motion::ValueForConstraint Motion::FreedomOfJoint
+        Motion::FreedomOfOrientation;
     E0302: Value::WrongArgument Value::WrongDefault Motion::JointWithoutValue Arity::OtherOrder Arity::FunctionOrder;
     E0303: Value::WrongArgumentDimension;
     E0304: Value::Unlike Value::NotARate;

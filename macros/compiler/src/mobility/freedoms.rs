@@ -49,7 +49,7 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern,
         // Joint angles and quaternions are coordinates that nobody declared.
         Some(_) => {
             let freedoms = 6 * model.bodies.len();
-            Count { freedoms, in_space: true, joints: freedoms - drives - missing, drives, missing }
+            Count { freedoms, in_space: true, joints: freedoms.saturating_sub(drives + missing), drives, missing }
         }
         None => Count { freedoms: system.coordinates.len(), in_space: false, joints: solved - drives, drives, missing },
     };
