@@ -1,6 +1,6 @@
 //! Storage of expressions: nodes by index. Equal expressions have equal indices.
 
-use super::lookup::Lookup;
+use super::lookup::{Lookup, Members};
 use std::collections::BTreeSet;
 
 use super::frame::Frames;
@@ -202,6 +202,27 @@ impl Arena {
     #[must_use]
     pub fn value(&self, expr: Expr) -> Option<f64> {
         self.constants[expr.index()].map(|constant| constant.value)
+    }
+
+    /// True if a constant part that is not finite, such as √−1, is in the sum or product that the expression is: then nothing makes it finite.
+    pub(crate) fn is_never_finite(&self, root: Expr) -> bool {
+        let mut seen = Members::default();
+        let mut open = vec![root];
+        while let Some(expr) = open.pop() {
+            if self.value(expr).is_some_and(|value| !value.is_finite()) {
+                return true;
+            }
+            if !seen.insert(expr) {
+                continue;
+            }
+            match *self.node(expr) {
+                Node::Binary(Binary::Add | Binary::Sub | Binary::Mul, a, b) => open.extend([a, b]),
+                Node::Binary(Binary::Div, a, _) | Node::Unary(Unary::Neg | Unary::Abs | Unary::Sqrt, a) => open.push(a),
+                Node::Marked { value, .. } => open.push(value),
+                _ => {}
+            }
+        }
+        false
     }
 
     /// All nodes under `roots`, the roots among them, each once, children before parents.

@@ -1,5 +1,6 @@
 //! Expressions that are often written in place of others.
 
+use crate::diag::Range;
 use crate::quantity::{self, Dim};
 use crate::syntax::ast::{Expression, ExpressionKind, Operator};
 use proc_macro2::Ident;
@@ -112,6 +113,12 @@ pub(crate) fn argument_of(side: &Expression) -> Option<&Ident> {
         ExpressionKind::Field(owner, _) => argument_of(owner),
         _ => None,
     }
+}
+
+/// Source range of the argument on one side of a condition.
+pub(crate) fn place_of_argument(side: &Expression, places: &[(String, Range)]) -> Option<Range> {
+    let name = argument_of(side)?;
+    places.iter().find(|(known, _)| name == known).map(|(_, range)| *range)
 }
 
 /// True if an expression is surely no whole number: it contains a number with a unit or a fraction, π, `t` or an angle.

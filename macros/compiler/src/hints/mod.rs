@@ -16,8 +16,8 @@ mod unused;
 pub(crate) use ambient::{is_meant, means_space};
 pub(crate) use angles::bare_angles;
 pub(crate) use forms::{
-    argument_of, by_time, cross_product, decimal_comma, in_millimetres, in_words, is_measured, is_zero, orientation_of, point_of,
-    unit_in_parts,
+    argument_of, by_time, cross_product, decimal_comma, in_millimetres, in_words, is_measured, is_zero, orientation_of, place_of_argument,
+    point_of, unit_in_parts,
 };
 pub(crate) use generated::{is_generated, is_of_generated_type};
 pub(crate) use lengths::Lengths;

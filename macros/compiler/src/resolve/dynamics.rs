@@ -8,7 +8,7 @@
 use super::elaborate::Elaborator;
 use super::register::Register;
 use super::{DeclaredForce, Force};
-use crate::diag::{EquationFact, MotionFact, Range, ValueFact};
+use crate::diag::{EquationFact, MotionFact, ValueFact};
 use crate::expr::{Expr, Leaf};
 use crate::names::{FrameId, Scope, Value};
 use crate::quantity::{Ambient, Dim};
@@ -68,6 +68,9 @@ impl Elaborator<'_> {
         }
         let (frame, point) = self.target(applied, scope)?;
         let parts = self.applied_parts(applied, frame, scope)?;
+        if parts.iter().any(|part| self.arena.is_never_finite(*part)) {
+            return self.refuse(applied.value.range, ValueFact::NotFinite { place: "the load" });
+        }
         self.applied.get_or_insert_default().push(Force { of: 0, body: frame.0.checked_sub(1), point, parts });
         Some(())
     }
@@ -97,7 +100,6 @@ impl Elaborator<'_> {
 
     fn applied_parts(&mut self, applied: &ast::Applied, frame: FrameId, scope: &Scope) -> Option<Vec<Expr>> {
         let wanted = if applied.is_torque { Dim::TORQUE } else { Dim::FORCE };
-        let range: Range = applied.value.range;
         if applied.is_torque && self.names.ambient == Ambient::Plane {
             self.is_undirected(applied, scope)?;
             return self.scalar_of(&applied.value, wanted, scope).map(|scalar| vec![scalar.expr]);
@@ -105,7 +107,7 @@ impl Elaborator<'_> {
         self.is_directed(applied, frame, scope)?;
         let vector = self.vector(&applied.value, scope)?;
         if !vector.measure.fits(wanted) {
-            return self.refuse(range, ValueFact::WrongDimension { wanted, found: vector.measure.settled() });
+            return self.refuse(applied.value.range, ValueFact::WrongDimension { wanted, found: vector.measure.settled() });
         }
         Some(vector.parts.to_vec())
     }

@@ -147,6 +147,9 @@ impl Elaborator<'_> {
                 None => return self.refuse(output.value.range, ValueFact::NotAnOutput { found }),
             },
         };
+        if components.iter().any(|part| self.arena.is_never_finite(*part)) {
+            return self.refuse(output.value.range, ValueFact::NotFinite { place: "the output" });
+        }
         let Some(derivatives @ 1..) = components.iter().map(|part| self.derivatives_of(*part)).min() else {
             return self.refuse(output.value.range, ValueFact::OutputWithoutRate);
         };

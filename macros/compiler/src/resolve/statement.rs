@@ -4,7 +4,7 @@ use super::elaborate::Elaborator;
 use super::{Name, Parameter, Requirement, tabulated};
 use crate::diag::{EquationFact, Fact, Range, ValueFact};
 use crate::expr::{Expr, Node, Unary, Values, evaluate};
-use crate::hints::argument_of;
+use crate::hints::{argument_of, place_of_argument};
 use crate::names::{FrameId, Instance, Key, Scalar, Scope, Value};
 use crate::syntax::ast::{self, ExpressionKind, Relation, Statement};
 use std::collections::BTreeSet;
@@ -98,7 +98,7 @@ impl Elaborator<'_> {
     fn requirement(&mut self, requirement: &ast::Condition, scope: &Scope, joint: &Name, places: &[(String, Range)]) -> Option<()> {
         let (left, right) = (self.value(&requirement.lhs, scope), self.value(&requirement.rhs, scope));
         let (left, right) = (left?, right?);
-        let place = place(&requirement.lhs, places);
+        let place = place_of_argument(&requirement.lhs, places);
         match (left, right) {
             (Value::Body(one), Value::Body(two)) => self.body_requirement(requirement, [one, two], scope, places),
             (Value::Scalar(one), Value::Scalar(two)) => self.number_requirement(requirement, one, two, joint, place),
@@ -124,9 +124,9 @@ impl Elaborator<'_> {
         if holds || self.names.is_abstract() {
             return Some(());
         }
-        let blamed = sides.into_iter().find(|(side, _)| place(side, places).is_some());
+        let blamed = sides.into_iter().find(|(side, _)| place_of_argument(side, places).is_some());
         let instead = blamed.and_then(|(side, other)| self.of_a_body(scope.value_of(argument_of(side)?)?, *relation, other));
-        let place = blamed.and_then(|(side, _)| place(side, places));
+        let place = blamed.and_then(|(side, _)| place_of_argument(side, places));
         self.refuse_at(place, requirement.range(), EquationFact::RequirementFails { why: why.clone(), instead })
     }
 
@@ -247,10 +247,4 @@ impl Elaborator<'_> {
         let values = Values { time: 0.0, parameters, coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
         evaluate(&self.arena, roots, &values)
     }
-}
-
-/// Source range of the argument on one side of a condition.
-fn place(side: &ast::Expression, places: &[(String, Range)]) -> Option<Range> {
-    let name = argument_of(side)?;
-    places.iter().find(|(known, _)| name == known).map(|(_, range)| *range)
 }

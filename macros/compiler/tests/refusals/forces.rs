@@ -87,4 +87,17 @@ crate::refusals! {
     mechanism friction_by_a_hyperbolic_tangent: "mechanism M { body b { point P = (1m, 0m); mass = 1kg; inertia = 1kgm2; } joint o = revolute(ground.position, b.position); force d = { on b: -1Nm * «tanh»(b.angular_velocity / 1rad_s); } freedom q = b.angle; }" => "no function is called `tanh`\nhelp: write `x / sqrt(1 + x^2)`, which leads from -1 to 1 as smoothly";
     mechanism orientation_as_a_freedom: "mechanism M in space { body b { mass = 1kg; inertia = (1kgm2, 1kgm2, 1kgm2); } joint o = spherical(ground.position, b.position); freedom q = «b.orientation»; }" => "a freedom is a number or a vector, found an orientation\nhelp: three turns are free: write `freedom q = b.angular_velocity;`";
     mechanism mass_that_turns_about_itself: "mechanism M { body arm { mass = 1kg; center = (1m, 0m); } body «b» { mass = 1kg; } joint o = revolute(ground.position, arm.position); joint p = revolute(ground.position, b.position); freedom q = arm.angle; freedom r = b.angle; }" => "no mass or inertia resists a motion of `b`: its acceleration does not follow from forces\nhelp: `b` has a mass only: write `inertia = …;` there, or a `center` away from the axis, or `drive` for `freedom`";
+    mechanism load_of_no_value: "mechanism M { body b { point P = (1m, 0m); mass = 1kg; inertia = 1kgm2; } joint o = revolute(ground.position, b.position); force d = { at b.P: «(0N, sqrt(-4) * 1N)»; } freedom q = b.angle; }" => "the load is not a finite number";
+    mechanism torque_of_no_value: "mechanism M { body b { point P = (1m, 0m); mass = 1kg; inertia = 1kgm2; } joint o = revolute(ground.position, b.position); force d = { on b: «ln(0) * 1Nm - 2Nms * b.angular_velocity»; } freedom q = b.angle; }" => "the load is not a finite number";
+    mechanism output_of_no_value: "mechanism M { body b { point P = (1m, 0m); mass = 1kg; inertia = 1kgm2; } joint o = revolute(ground.position, b.position); drive q = drive_angle(b, 1rpm * t); output a = «asin(2) * b.P.x / 3»; }" => "the output is not a finite number";
+    mechanism output_of_no_length: "mechanism M { body b { point P = (1m, 0m); mass = 1kg; inertia = 1kgm2; } joint o = revolute(ground.position, b.position); drive q = drive_angle(b, 1rpm * t); output a = «norm(b.P - (1m, sqrt(-1) * 1m))»; }" => "the output is not a finite number";
+}
+
+/// A branch without a value is no mistake where the other one may be taken; and one divided by infinity is zero.
+#[test]
+fn what_is_never_chosen_may_have_no_value() {
+    let source =
+        "mechanism M { body b { point P = (1m, 0m); } joint o = revolute(ground.position, b.position); drive q = drive_angle(b, 1rpm * t);
+        output a = if b.angle < 2 { b.angle } else { asin(2) * b.angle }; output c = 1m / (1 + exp(1000)) + b.P.x; }";
+    assert!(reuleaux_compiler::compile(source.parse().expect("tokens")).is_ok());
 }
