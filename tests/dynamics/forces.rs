@@ -320,3 +320,16 @@ fn torsion_dampers_slow_wheels_down() {
         assert!((plane.energy(&flat).power - lost).abs() < 1e-6 && (space.energy(&oblique).power - lost).abs() < 1e-6);
     }
 }
+
+/// A step that is no number is said to be none; the state stays as it is.
+#[test]
+fn a_step_that_is_no_number_is_no_lack_of_mass() {
+    let wheels = Bearings::default();
+    let mut state = wheels.initial_state().expect("a state");
+    let before = state.q;
+    for step in [f64::NAN, f64::INFINITY] {
+        let said = wheels.step(&mut state, step).expect_err("no motion").to_string();
+        assert!(said.ends_with("there is no motion: a time and a step are finite numbers"), "{said}");
+        assert_eq!(state.q, before);
+    }
+}

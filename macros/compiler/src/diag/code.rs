@@ -89,7 +89,7 @@ codes! {
     E0301: Value::NotA Value::NotAnOutput Value::NotAStart Motion::TorqueWithoutAxis Motion::TorqueWithAxis Motion::ForceWithoutDirection
         Motion::GravityWithoutDirection
         Motion::ForceAtNoPoint Motion::TorqueOnNoBody Motion::ValueForForce Motion::ValueForConstraint Motion::FreedomOfJoint
-        Motion::FreedomOfOrientation;
+        Motion::FreedomOfOrientation Motion::FreedomOfNothing;
     E0302: Value::WrongArgument Value::WrongDefault Motion::JointWithoutValue Arity::OtherOrder Arity::FunctionOrder;
     E0303: Value::WrongArgumentDimension;
     E0304: Value::Unlike Value::NotARate;
@@ -104,7 +104,7 @@ codes! {
     E0402: Value::NotFinite;
     E0403: Value::DivisionByZero;
     E0404: Equation::RequirementFails Equation::RequirementFailsAtDefaults;
-    E0405: Value::ZeroAxis Value::AlongItsAxis;
+    E0405: Value::ZeroAxis Value::AlongItsAxis System::AngleOfTwoDirections;
     E0406: Value::NotConstant;
     E0407: Value::NotFixed;
     E0408: Value::EqualityInChoice;

@@ -93,6 +93,10 @@ impl fmt::Display for Doubt {
                 write!(f, "`{number}` has no unit: it is {number} rad")?;
                 write!(f, "\nhelp: write `{function}({number}deg)`, or `{function}({number}rad)` if it is meant")
             }
+            Doubt::BareStart { number } => {
+                write!(f, "`{number}` has no unit: it is {number} rad, more than a turn")?;
+                write!(f, "\nhelp: write `{number}deg`, or `{number}rad` if it is meant")
+            }
             Doubt::MotionEnds(fact) => write!(f, "{fact}"),
         }
     }

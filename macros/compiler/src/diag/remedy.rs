@@ -7,6 +7,9 @@ use crate::quantity::{Ambient, Dim};
 pub(super) fn of_kind(wanted: &Wanted, found: &Kind, ambient: Ambient) -> &'static str {
     let is_plane = ambient == Ambient::Plane;
     match (wanted, found) {
+        (Wanted::Quantity(of), Kind::Axis) if !is_plane && ["Angle", "Length"].contains(&of.as_str()) => {
+            "\nhelp: write the name of the joint about or along this axis"
+        }
         (Wanted::Number | Wanted::NumberOrVector | Wanted::Quantity(_), Kind::Body) if is_plane => {
             "\nhelp: its coordinates are `.x`, `.y` and `.angle`, its place is `.position`"
         }
@@ -27,6 +30,9 @@ pub(super) fn of_kind(wanted: &Wanted, found: &Kind, ambient: Ambient) -> &'stat
         (Wanted::VectorOrPoint | Wanted::Point, Kind::Body) => "\nhelp: its place is `.position`",
         (Wanted::Point, Kind::Number) if is_plane => "\nhelp: write `(x, y)` for a place in ground, `body.P` for a point of a body",
         (Wanted::Point, Kind::Number) => "\nhelp: write `(x, y, z)` for a place in ground, `body.P` for a point of a body",
+        (Wanted::Axis, Kind::Body) => "\nhelp: write one of its axes, as in `body.z`",
+        (Wanted::Axis, Kind::JointOf(_) | Kind::Joint) => "\nhelp: write an axis that it was made with, as in `joint.a`",
+        (Wanted::Body, Kind::Axis | Kind::Point) => "\nhelp: write the name of the body alone",
         (Wanted::Axis, Kind::Number) if is_plane => "\nhelp: write `(1, 0)` for the direction of x",
         (Wanted::Axis, _) if !is_plane => "\nhelp: write `(1, 0, 0)` for the direction of x",
         (Wanted::NumberOrVector, Kind::Orientation) => {
@@ -67,6 +73,12 @@ pub(super) fn of_dimension(wanted: Dim, found: Dim) -> &'static str {
         (Dim::STIFFNESS, Dim::FORCE) => "\nhelp: a stiffness is a force by a length, such as `20N_m` or `20N / 10mm`",
         (Dim::INERTIA, Dim::MASS) => {
             "\nhelp: an inertia is a mass by the square of a length, such as `0.003kgm2`, or that of a shape, such as `rod(1m)`"
+        }
+        (Dim::ANGLE, Dim::TORQUE) => {
+            "\nhelp: an angle is a given motion; a torque is a force, such as `force name = motor(…);`, and the motion is a `freedom`"
+        }
+        (Dim::LENGTH, Dim::FORCE) => {
+            "\nhelp: a length is a given motion; a force is written `force name = actuator(P, Q, 5N);`, and the motion is a `freedom`"
         }
         (Dim::TORQUE, Dim::FORCE) => "\nhelp: a torque is a force times an arm, such as `5Nm`; a force is written `at point: (0N, -5N);`",
         (wanted, Dim::ANGLE) if wanted.times(Dim::TIME) == found => "\nhelp: write a rate, such as `2rad_s`",

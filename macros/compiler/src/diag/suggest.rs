@@ -6,7 +6,7 @@ use crate::quantity::{unit, units};
 const LONGEST: usize = 60;
 
 /// Words of the language with their synonyms elsewhere.
-const SYNONYMS: [(&str, &[&str]); 54] = [
+const SYNONYMS: [(&str, &[&str]); 55] = [
     ("body", &["link", "bar", "rigid", "member", "bodie"]),
     ("ground", &["frame", "base", "world", "fixed"]),
     ("param", &["parameter", "var", "variable"]),
@@ -60,6 +60,7 @@ const SYNONYMS: [(&str, &[&str]); 54] = [
     ("torsion_damper", &["rotational_damper", "rotary_damper", "torsional_damper", "angular_damper", "viscous_friction"]),
     ("gas_spring", &["gas_strut", "gas_shock", "gas_piston", "strut"]),
     ("constant_force", &["constant_force_spring", "force_spring"]),
+    ("smooth_step", &["step", "step5", "smoothstep", "ramp", "heaviside"]),
     ("drive_angle", &["drive_velocity", "drive_angular_velocity", "drive_speed", "rotate"]),
 ];
 

@@ -63,6 +63,11 @@ pub enum Doubt {
         /// The number as written.
         number: String,
     },
+    /// The start of an angle without a unit that is more than a turn in radians.
+    BareStart {
+        /// The number as written.
+        number: String,
+    },
     /// The motion ends before it has repeated itself as a whole.
     MotionEnds(Box<Fact>),
 }
@@ -73,7 +78,7 @@ impl Warning {
         let name = match self.doubt {
             Doubt::FarStart { .. } | Doubt::FarOrientation { .. } => "far_start",
             Doubt::BareLength { .. } => "bare_length",
-            Doubt::BareAngle { .. } => "bare_angle",
+            Doubt::BareAngle { .. } | Doubt::BareStart { .. } => "bare_angle",
             Doubt::MotionEnds(_) => "motion_ends",
         };
         let (name, words) = (Ident::new(name, self.range.first), self.doubt.to_string());

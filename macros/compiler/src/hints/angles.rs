@@ -18,9 +18,15 @@ fn of_items(items: &[Item], found: &mut Vec<Warning>) {
             Item::Function(function) => of(&function.value, found),
             Item::Joint(joint) | Item::Force(joint) => of_joint(&joint.body, found),
             Item::Output(output) => of(&output.value, found),
-            Item::Start(start) => of(&start.value, found),
+            Item::Start(start) => {
+                if names_angle(&start.quantity) {
+                    of_start(&start.value, found);
+                }
+                of(&start.value, found);
+            }
             Item::Ground(frame) | Item::Body(frame) => {
                 frame.marks.single.iter().for_each(|mark| of(&mark.value, found));
+                frame.starts.iter().filter(|start| start.what == "angle").for_each(|start| of_start(&start.value, found));
                 frame.starts.iter().for_each(|start| of(&start.value, found));
             }
             Item::Part(part) => part.arguments.iter().for_each(|argument| of(&argument.value, found)),
@@ -40,7 +46,12 @@ fn of_joint(body: &JointBody, found: &mut Vec<Warning>) {
             Statement::Apply(applied) => of(&applied.value, found),
             Statement::Require(_) | Statement::Add(_) => {}
         }),
-        JointBody::Freedom(freedom) => of(&freedom.value, found),
+        JointBody::Freedom(freedom) => {
+            of(&freedom.value, found);
+            if let Some(from) = freedom.from.as_ref().filter(|_| names_angle(&freedom.value)) {
+                of_start(from, found);
+            }
+        }
         JointBody::Energy(value) | JointBody::Value(value) => of(value, found),
     }
 }
@@ -62,6 +73,16 @@ fn of(expr: &Expression, found: &mut Vec<Warning>) {
         ExpressionKind::Tuple(items) | ExpressionKind::List(items) => items.iter().for_each(|item| of(item, found)),
         ExpressionKind::If { lhs, rhs, then, otherwise, .. } => [lhs, rhs, then, otherwise].into_iter().for_each(|part| of(part, found)),
     }
+}
+
+/// True for `body.angle` and `joint.angle`.
+fn names_angle(value: &Expression) -> bool {
+    matches!(&value.kind, ExpressionKind::Field(_, name) if name == "angle")
+}
+
+/// The start of an angle.
+fn of_start(value: &Expression, found: &mut Vec<Warning>) {
+    found.extend(degrees(value).map(|number| Warning { doubt: Doubt::BareStart { number }, range: value.range }));
 }
 
 /// A bare number of more than a turn in radians, as written: it is rather one of degrees.

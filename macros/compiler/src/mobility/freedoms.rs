@@ -45,13 +45,14 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern,
     let chosen = chosen(pattern, &[first.as_slice(), &second].concat(), missing.min(MOST_CHOSEN));
     let shown = if missing == 1 { &first } else { &chosen };
     let forgotten = if missing > 1 { forgotten(model, system, pattern, under, &chosen) } else { Forgotten::default() };
+    let declared = declared_freedoms(model);
     let count = match &system.declared {
         // Joint angles and quaternions are coordinates that nobody declared.
         Some(_) => {
             let freedoms = 6 * model.bodies.len();
-            Count { freedoms, in_space: true, joints: freedoms.saturating_sub(drives + missing), drives, missing }
+            Count { freedoms, in_space: true, joints: freedoms.saturating_sub(drives + missing), drives, declared, missing }
         }
-        None => Count { freedoms: system.coordinates.len(), in_space: false, joints: solved - drives, drives, missing },
+        None => Count { freedoms: system.coordinates.len(), in_space: false, joints: solved - drives, drives, declared, missing },
     };
     let fact = SystemFact::DrivesMissing {
         name: model.name.to_string(),
@@ -201,4 +202,9 @@ fn drive_for(model: &Model, system: &System, unknown: usize) -> String {
 /// Number of equations of drives.
 fn drives(model: &Model) -> usize {
     model.joints.iter().filter(|joint| joint.is_drive).map(|joint| joint.residuals.len()).sum()
+}
+
+/// Number of equations of the freedoms, which are among those of the drives.
+fn declared_freedoms(model: &Model) -> usize {
+    model.joints.iter().filter(|joint| joint.freedom.is_some()).map(|joint| joint.residuals.len()).sum()
 }

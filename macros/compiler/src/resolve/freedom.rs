@@ -25,7 +25,9 @@ impl Elaborator<'_> {
         }
         let parts = self.quantities(&freedom.value, scope)?;
         let measure = parts.first()?.measure;
-        let is_of_speeds = parts.iter().any(|part| self.has_speeds(part.expr));
+        if parts.iter().all(|part| self.is_fixed(part.expr)) {
+            return self.refuse(range, MotionFact::FreedomOfNothing { name: name.to_string(), value: freedom.value.to_string() });
+        }
         let timeless = scope.clone().timeless("the initial value of a freedom");
         let per_time = measure.per(InferredDim::Known(Dim::TIME));
         if let Some(from) = freedom.from.as_ref().filter(|_| freedom.at.is_none()) {
@@ -38,7 +40,7 @@ impl Elaborator<'_> {
         }
         let from = self.initial(freedom.from.as_ref(), &parts, measure, &timeless)?;
         let at = self.initial(freedom.at.as_ref(), &parts, per_time, &timeless)?;
-        if let (true, Some(at)) = (is_of_speeds, &freedom.at) {
+        if let (true, Some(at)) = (parts.iter().any(|part| self.has_speeds(part.expr)), &freedom.at) {
             return self.refuse(at.range, EquationFact::RateOfSpeed);
         }
         let time = self.arena.leaf(Leaf::Time);

@@ -129,8 +129,7 @@ impl Elaborator<'_> {
         }
         let known = own.chain(library::constraints(self.names.ambient)).chain(library::forces(self.names.ambient));
         let near = self.nearest(&word, known);
-        let home = home(&word, self.names.ambient);
-        let known = Known::of(library::constraints(self.names.ambient));
+        let (home, known) = (home(&word, self.names.ambient), Known::of(library::constraints(self.names.ambient)));
         self.refuse(kind, NameFact::UnknownConstraint { name: word, near, home, known })
     }
 
@@ -223,10 +222,7 @@ impl Elaborator<'_> {
             _ => self.value(argument, scope)?,
         };
         let value = self.measured(formal, value)?;
-        let found = match &value {
-            Value::Joint { kind, .. } => Kind::JointOf(kind.clone()),
-            other => other.kind(),
-        };
+        let found = if let Value::Joint { kind, .. } = &value { Kind::JointOf(kind.clone()) } else { value.kind() };
         self.has_quantity(definition, formal, argument, &value)?;
         let instead = self.instead(&formal.kind, argument, &value);
         let wrong = |this: &mut Self| {
@@ -302,9 +298,11 @@ impl Elaborator<'_> {
                 Ambient::Plane => Some(format!("{argument}.angle")),
                 Ambient::Space => self.hinge_of(*frame),
             },
-            (FormalKind::Body, Value::Point(point), _) => Some(self.names.frames[point.frame.0].name.clone()),
-            (FormalKind::Axis, Value::Body(_) | Value::Point(_), _) => {
-                Some(if self.names.ambient == Ambient::Space { "(1, 0, 0)" } else { "(1, 0)" }.to_owned())
+            (FormalKind::Body, Value::Point(fixed) | Value::Axis(fixed), _) => Some(self.names.frames[fixed.frame.0].name.clone()),
+            (FormalKind::Axis, Value::Body(frame) | Value::Point(Fixed { frame, .. }), _) => {
+                let any = if self.names.ambient == Ambient::Space { "(1, 0, 0)" } else { "(1, 0)" };
+                let axis = self.names.an_axis_of(*frame).map(|axis| format!("{}.{axis}", self.names.frames[frame.0].name));
+                Some(axis.unwrap_or(any.to_owned()))
             }
             _ => None,
         }

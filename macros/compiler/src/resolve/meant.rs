@@ -33,7 +33,9 @@ impl Elaborator<'_> {
                 self.refuse(kind, MotionFact::ConstraintForForce { constraint, is_drive, name })
             }
             (Word::Joint | Word::Drive, true) => {
-                let instead = (word == Word::Drive).then(|| self.a_drive("law"));
+                let is_along = definition.parameters.first().is_some_and(|formal| formal.name == "P");
+                let drive = || if is_along { "drive_distance(P, Q, law)".to_owned() } else { self.a_drive("law") };
+                let instead = (word == Word::Drive).then(drive);
                 self.refuse(kind, MotionFact::ForceForConstraint { force: constraint, word, name, instead })
             }
             (Word::Drive, false) if !definition.takes_numbers() => self.refuse(kind, MotionFact::JointForDrive { constraint, name }),

@@ -60,9 +60,8 @@ impl Elaborator<'_> {
     pub(super) fn angular_velocity(&mut self, frame: FrameId) -> Value {
         let measure = InferredDim::Known(Dim::ANGLE).per(InferredDim::Known(Dim::TIME));
         let zero = self.arena.integer(0);
-        let body = frame.0.checked_sub(1);
-        match (self.names.ambient, body) {
-            (Ambient::Plane, _) => {
+        match (self.names.ambient, frame.0.checked_sub(1)) {
+            (Ambient::Plane, body) => {
                 let first = self.names.frames[frame.0].first as u32;
                 let expr = if body.is_some() { self.arena.leaf(Leaf::Speed(first + 2)) } else { zero };
                 Value::Scalar(Scalar { expr, measure })

@@ -11,6 +11,7 @@
 
 mod balance;
 mod declared;
+mod directions;
 mod dynamics;
 mod forest;
 mod loads;
@@ -284,6 +285,10 @@ impl System {
 /// Differentiates every residual and output of a model.
 pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
     has_bodies(model, diag)?;
+    directions::angles_are_of_one_direction(model, diag);
+    if !diag.is_clean() {
+        return None;
+    }
     let mut arena = model.arena.clone();
     let choice = match model.ambient {
         Ambient::Plane => in_plane(model, &mut arena),

@@ -45,7 +45,7 @@ crate::refusals! {
     item body_for_a_point: "joint a = revolute(ground.O, «crank»);" => "`Q` of `revolute` takes a point, found a body\nhelp: write `crank.A`";
     item point_for_a_body: "drive a = drive_angle(«crank.A», speed * t);" => "`b` of `drive_angle` takes a body, found a point\nhelp: write `crank`";
     item number_for_a_point: "joint a = revolute(ground.O, «5mm»);" => "`Q` of `revolute` takes a point, found a number\nhelp: write `(x, y)` for a place in ground, `body.P` for a point of a body";
-    item point_for_an_axis: "joint a = translational(«ground.O», ground.C, ram.B);" => "`u` of `translational` takes an axis, found a point\nhelp: write `(1, 0)`";
+    item point_for_an_axis: "joint a = translational(«ground.O», ground.C, ram.B);" => "`u` of `translational` takes an axis, found a point\nhelp: write `ground.u`";
     item number_for_a_function: "joint a = cam_knife(crank.O, ram.B, «5mm»);" => "`R` of `cam_knife` takes a function of one variable, found a number\nhelp: declare one, such as `function name(x: Angle) -> Length = …;`";
     item joint_of_another_kind: "drive a = drive_along(«hinge», 5mm);" => "`slide` of `drive_along` takes a `translational` joint, found a `revolute` joint";
     item sum_of_a_velocity_and_a_position: "output b = «rate(crank.A.x) + crank.A.x»;" => "cannot add a length (m) to a velocity (m/s)\nhelp: multiply the rate by `t`";

@@ -144,3 +144,32 @@ fn sines_of_bare_numbers_that_are_rather_degrees_are_doubtful() {
         assert_eq!(doubts(sure), Vec::<String>::new(), "{sure}");
     }
 }
+
+/// More than a turn of radians is rather one of degrees.
+#[test]
+fn starts_of_angles_without_unit_are_doubted() {
+    let doubts = |start: &str, coordinate: &str, from: &str| {
+        let source = format!(
+            "mechanism M {{ body b {{ point P = (1m, 0m); mass = 1kg; inertia = 1kgm2; {start} }} joint o = revolute(ground.position, b.position);
+                freedom q = {coordinate} {from}; }}"
+        );
+        let compiled = reuleaux_compiler::compile(source.parse().expect("tokens")).expect("a number is an angle");
+        compiled.model.doubts.iter().map(|warning| warning.doubt.to_string()).collect::<Vec<String>>()
+    };
+    let doubt = |number: &str| {
+        vec![format!(
+            "`{number}` has no unit: it is {number} rad, more than a turn\nhelp: write `{number}deg`, or `{number}rad` if it is meant"
+        )]
+    };
+    assert_eq!(doubts("start angle = 35;", "b.angle", ""), doubt("35"));
+    assert_eq!(doubts("start angle = -120;", "b.angle", ""), doubt("-120"));
+    assert_eq!(doubts("", "b.angle", "from 60"), doubt("60"));
+    for (start, coordinate, from) in [
+        ("start angle = 6;", "b.angle", ""),
+        ("start angle = 35deg;", "b.angle", "from 35deg"),
+        ("", "b.angle", "from 60rad at 90"),
+        ("start x = 3;", "b.angle", "from -6"),
+    ] {
+        assert_eq!(doubts(start, coordinate, from), [""; 0], "{start} {from}");
+    }
+}

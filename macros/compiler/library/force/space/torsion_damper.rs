@@ -9,7 +9,7 @@
 /// Reference: Haug, section 9.5.
 force torsion_damper(a: Axis, b: Axis, damping: Torque / AngularVelocity) in space {
     require a.body != b.body: "a torsion damper acts between two bodies";
-    let line = damping * dot(b.body.angular_velocity - a.body.angular_velocity, z_axis(a)) * z_axis(a);
+    let line = damping * rate(joint_angle(a, b)) * z_axis(a);
     on b.body: -line;
     on a.body: line;
 }

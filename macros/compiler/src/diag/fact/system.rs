@@ -59,6 +59,15 @@ pub enum SystemFact {
         /// Name of the joint.
         joint: String,
     },
+    /// An angle of one axis against another that joints keep at a fixed angle to it.
+    AngleOfTwoDirections {
+        /// The joint, force or output that contains it.
+        name: String,
+        /// The bodies of the axes.
+        bodies: [String; 2],
+        /// Angle between the axes, in rad.
+        apart: f64,
+    },
     Repeats {
         joint: String,
         other: String,
@@ -198,8 +207,10 @@ pub struct Count {
     pub in_space: bool,
     /// Number of equations of joints.
     pub joints: usize,
-    /// Number of equations of drives.
+    /// Number of equations of drives and freedoms.
     pub drives: usize,
+    /// Number of equations of freedoms.
+    pub declared: usize,
     /// Number of equations that are missing.
     pub missing: usize,
 }

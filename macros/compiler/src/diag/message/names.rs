@@ -151,6 +151,7 @@ impl Display for NameFact {
                 }
                 Ok(())
             }
+            NameFact::Duplicate { name, .. } if name == "gravity" => write!(f, "there is one gravity only\nhelp: take one of them away"),
             NameFact::Duplicate { name, first } => write!(f, "the name `{name}` is taken: {first} has it\nhelp: choose another name"),
             NameFact::DuplicateMark { name, body } => write!(f, "`{body}` has another `{name}` already\nhelp: choose another name"),
             NameFact::DuplicateStart { name, body } => {

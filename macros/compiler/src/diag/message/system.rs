@@ -1,5 +1,6 @@
 //! Messages about the mechanism as a whole: its mobility, and redundant or contradictory joints.
 
+use super::degrees;
 use super::words::{are, bodies, counted, drives_there_are, first_of, list, numbers, one_of, plural, rounded};
 use crate::diag::{Count, Demand, Forgotten, NoPosition, SystemFact};
 use std::fmt::{Display, Formatter, Result};
@@ -11,6 +12,14 @@ impl Display for SystemFact {
             SystemFact::BodyIsFree { body, example } => {
                 write!(f, "nothing holds `{body}`: it is in no equation")?;
                 write!(f, "\nhelp: join it to ground or to another body, such as `{example}`, or take it away")
+            }
+            SystemFact::AngleOfTwoDirections { name, bodies: [one, two], apart } => {
+                write!(
+                    f,
+                    "`{name}` takes the angle of an axis of `{two}` against one of `{one}`, and joints keep them {} apart",
+                    degrees(*apart)
+                )?;
+                write!(f, "\nhelp: take two axes of one direction, such as those of the joint between them")
             }
             SystemFact::Repeats { joint, other } => write!(f, "`{joint}` demands the same as `{other}`\nhelp: take one of them away"),
             SystemFact::PassiveSpin { body, joints: [one, two] } => {
@@ -122,9 +131,9 @@ impl Display for SystemFact {
                 }
             }
             SystemFact::DrivesMissing { name, count, forgotten, candidates, example, freedom } => {
-                let Count { freedoms, in_space, joints, drives, missing } = count.as_ref();
+                let Count { freedoms, in_space, joints, drives, declared, missing } = count.as_ref();
                 let Forgotten { loose, line, holds } = forgotten.as_ref();
-                write!(f, "`{name}` has mobility {}, but {}", missing + drives, drives_there_are(*drives))?;
+                write!(f, "`{name}` has mobility {}, but {}", missing + drives, drives_there_are(drives - declared, *declared))?;
                 let of_bodies = if *in_space { format!("{freedoms} freedoms of bodies") } else { plural(*freedoms, "coordinate") };
                 write!(f, "\nnote: {of_bodies} and {} of joints", plural(*joints, "equation"))?;
                 if !loose.is_empty() {

@@ -72,8 +72,15 @@ pub(super) fn counted(number: usize) -> String {
 }
 
 /// `no drive`, `only 1 drive`, `only 2 drives`
-pub(super) fn drives_there_are(drives: usize) -> String {
-    if drives == 0 { "no drive".to_owned() } else { format!("only {}", plural(drives, "drive")) }
+pub(super) fn drives_there_are(drives: usize, freedoms: usize) -> String {
+    let count = |number: usize, one: &str, many: &str| if number == 1 { format!("1 {one}") } else { format!("{number} {many}") };
+    let of_freedoms = count(freedoms, "freedom", "freedoms");
+    match (drives, freedoms) {
+        (0, 0) => "no drive".to_owned(),
+        (_, 0) => format!("only {}", plural(drives, "drive")),
+        (0, _) => format!("only {of_freedoms} declared"),
+        _ => format!("only {} and {of_freedoms} declared", plural(drives, "drive")),
+    }
 }
 
 /// `a` is, `a` and `b` are

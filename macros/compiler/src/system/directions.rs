@@ -1,0 +1,105 @@
+//! Angles between axes that joints keep apart.
+//!
+//! In: a model with the relations of its joints. Out: a refusal of each angle of one axis against another that is at a fixed angle to it, as the
+//! axis of a hinge is to a second axis of the next body. Between two directions that are not parallel the angle about one of them is not that of
+//! a joint, and where it is undefined the motion ends. Axes whose directions no joint relates are left alone.
+
+use crate::diag::{Diag, SystemFact};
+use crate::expr::{Expr, Mark, Node, Triple, Values, evaluate};
+use crate::model::{JointQuantity, Model, Name, Relationship, Said, Triad};
+
+/// Sine below which two axes are parallel.
+const PARALLEL: f64 = 1e-6;
+
+/// A direction in a body, `None` for ground, at the defaults.
+type Direction = (Option<usize>, [f64; 3]);
+
+/// Refuses angles between axes that are at a fixed angle to each other.
+pub(super) fn angles_are_of_one_direction(model: &Model, diag: &mut Diag) {
+    let mut said = Said::default();
+    let related = related(model);
+    for (number, (quantity, _)) in model.space.quantities.iter().enumerate() {
+        let JointQuantity::Angle(one, two) = quantity else { continue };
+        let [from, to] = [one, two].map(|triad| direction(model, triad.body, triad.axes[2]));
+        let apart = parallels(&related, to).into_iter().find(|other| other.0 == from.0).map(|other| between(other.1, from.1));
+        let apart =
+            apart.or_else(|| parallels(&related, from).into_iter().find(|other| other.0 == to.0).map(|other| between(other.1, to.1)));
+        if let Some(apart) = apart.filter(|apart| apart.sin() > PARALLEL)
+            && let Some(name) = user(model, number as u32).or_else(|| force_between(model, from.0, to.0))
+            && said.is_new(name)
+        {
+            let bodies = [one, two].map(|triad| triad.body.map_or("ground".to_owned(), |body| model.bodies[body].name.to_string()));
+            diag.refuse::<()>(name, SystemFact::AngleOfTwoDirections { name: name.to_string(), bodies, apart });
+        }
+    }
+}
+
+/// Pairs of axes that joints keep parallel.
+fn related(model: &Model) -> Vec<[Direction; 2]> {
+    let pairs = |(_, _, relation): &(usize, usize, Relationship)| match relation {
+        Relationship::SameDirection(one, two) => vec![axes_of(model, one, two, 2)],
+        Relationship::SameOrientation(one, two) | Relationship::Equal(one, two) => (0..3).map(|k| axes_of(model, one, two, k)).collect(),
+        Relationship::Coincident(..) | Relationship::Perpendicular(..) | Relationship::OnLine(..) => Vec::new(),
+    };
+    model.space.relations.iter().flat_map(pairs).collect()
+}
+
+fn axes_of(model: &Model, one: &Triad, two: &Triad, axis: usize) -> [Direction; 2] {
+    [one, two].map(|triad| direction(model, triad.body, triad.axes[axis]))
+}
+
+/// The directions in all bodies that are parallel to one.
+fn parallels(related: &[[Direction; 2]], to: Direction) -> Vec<Direction> {
+    let mut found = vec![to];
+    let mut next = 0;
+    while let Some(direction) = found.get(next).copied() {
+        next += 1;
+        for [one, two] in related {
+            for (near, far) in [(one, two), (two, one)] {
+                let is_met = near.0 == direction.0 && between(near.1, direction.1).sin() < PARALLEL;
+                if is_met && !found.iter().any(|known| known.0 == far.0 && between(known.1, far.1).sin() < PARALLEL) {
+                    found.push(*far);
+                }
+            }
+        }
+    }
+    found
+}
+
+/// Angle between two directions, in rad; not a number if one of them depends on a Rust function.
+fn between(one: [f64; 3], two: [f64; 3]) -> f64 {
+    let cross = [0, 1, 2].map(|k| one[(k + 1) % 3] * two[(k + 2) % 3] - one[(k + 2) % 3] * two[(k + 1) % 3]);
+    let sine = cross.iter().map(|part| part * part).sum::<f64>().sqrt();
+    let cosine: f64 = one.iter().zip(two).map(|(one, two)| one * two).sum();
+    libm::atan2(sine, cosine)
+}
+
+fn direction(model: &Model, body: Option<usize>, local: Triple) -> Direction {
+    let functions = |_: u32, _: f64| [f64::NAN; 3];
+    let known = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
+    let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
+    let defaults = evaluate(&model.arena, &defaults, &known);
+    let parts = evaluate(&model.arena, &local, &Values { parameters: &defaults, ..known });
+    (body, [parts[0], parts[1], parts[2]])
+}
+
+/// What uses the angle with this number.
+fn user(model: &Model, number: u32) -> Option<&Name> {
+    let is_used = |roots: &[Expr]| {
+        let all = model.arena.reachable(roots);
+        all.into_iter().any(|expr| matches!(model.arena.node(expr), Node::Marked { mark: Mark::OfJoint(other), .. } if *other == number))
+    };
+    let joints =
+        model.joints.iter().map(|joint| (&joint.name, joint.residuals.iter().map(|residual| residual.expr).collect::<Vec<Expr>>()));
+    let forces = model.forces.iter().map(|force| (&model.declared_forces[force.of].name, force.parts.clone()));
+    let outputs = model.outputs.iter().map(|output| (&output.name, output.components.clone()));
+    joints.chain(forces).chain(outputs).find(|(_, roots)| is_used(roots)).map(|(name, _)| name)
+}
+
+/// The first force on two bodies: one that uses the rate of their angle alone.
+fn force_between(model: &Model, one: Option<usize>, two: Option<usize>) -> Option<&Name> {
+    let acts_on = |number: usize, body: Option<usize>| model.forces.iter().any(|force| force.of == number && force.body == body);
+    (0..model.declared_forces.len())
+        .find(|force| acts_on(*force, one) && acts_on(*force, two))
+        .map(|force| &model.declared_forces[force].name)
+}
