@@ -70,6 +70,9 @@ where
         right[k] = -dot(&side, &motions[k]);
     }
     solve(&mut reduced, &mut right, count).map_err(|k| {
+        if !q.iter().chain(qd).chain([&t]).all(|value| value.to_f64().is_finite()) {
+            return Stopped::NotFinite { time: t };
+        }
         let unknown = S::INTEGRATED.get(parts.independent_at(k)).copied().unwrap_or(0);
         let (owner, coordinate) = S::COORDINATES.get(unknown).map_or(("", ""), |coordinate| (coordinate.body, coordinate.name));
         Stopped::Massless { time: t, owner, coordinate }

@@ -88,9 +88,6 @@ impl<T: Scalar + Display> Display for Stopped<T> {
                     "at t = {time} s the equations of `{joint}` depend on those of other joints: the joints lock, or the motion can go on in several ways"
                 )
             }
-            Stopped::Massless { time, .. } if !time.to_f64().is_finite() => {
-                write!(f, "at t = {time} s there is no motion: a time and a step are finite numbers")
-            }
             // Components of quaternions.
             Stopped::Massless { time, owner, coordinate: "e0" | "e1" | "e2" | "e3" } => {
                 write!(f, "at t = {time} s no mass or inertia resists a turning of `{owner}`; give a body that turns with it an inertia")
