@@ -104,7 +104,7 @@ codes! {
     E0402: Value::NotFinite;
     E0403: Value::DivisionByZero;
     E0404: Equation::RequirementFails Equation::RequirementFailsAtDefaults;
-    E0405: Value::ZeroAxis Value::AlongItsAxis System::AngleOfTwoDirections;
+    E0405: Value::ZeroAxis Value::AlongItsAxis;
     E0406: Value::NotConstant;
     E0407: Value::NotFixed;
     E0408: Value::EqualityInChoice;
@@ -118,6 +118,7 @@ codes! {
     E0415: Value::SegmentsDoNotReturn;
     E0416: Value::SegmentsJolt;
     E0417: Value::LawFromTo Value::NotALaw;
+    E0418: System::AngleOfTwoDirections;
     // Loops, arrays and parts.
     E0501: Array::WithoutIndex Array::DuplicateInLoop;
     E0502: Array::ArrayWithoutIndex;
