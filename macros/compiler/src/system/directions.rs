@@ -8,8 +8,8 @@ use crate::diag::{Diag, SystemFact};
 use crate::expr::{Expr, Mark, Node, Triple, Values, evaluate};
 use crate::model::{JointQuantity, Model, Name, Relationship, Said, Triad};
 
-/// Sine below which two axes are parallel.
-const PARALLEL: f64 = 1e-6;
+/// Sine below which two axes are parallel: declared directions are rounded.
+const PARALLEL: f64 = 1e-3;
 
 /// A direction in a body, `None` for ground, at the defaults.
 type Direction = (Option<usize>, [f64; 3]);
