@@ -17,10 +17,15 @@ type Direction = (Option<usize>, [f64; 3]);
 /// Refuses angles between axes that are at a fixed angle to each other.
 pub(super) fn angles_are_of_one_direction(model: &Model, diag: &mut Diag) {
     let mut said = Said::default();
-    let related = related(model);
+    let defaults = defaults(model);
+    let related = related(model, &defaults);
     for (number, (quantity, _)) in model.space.quantities.iter().enumerate() {
         let JointQuantity::Angle(one, two) = quantity else { continue };
-        let [from, to] = [one, two].map(|triad| direction(model, triad.body, triad.axes[2]));
+        let [from, to] = [one, two].map(|triad| direction(model, &defaults, triad.body, triad.axes[2]));
+        // The angle of a joint about its own axes.
+        if related.iter().any(|[near, far]| is_one(*near, from) && is_one(*far, to)) {
+            continue;
+        }
         let apart = parallels(&related, to).into_iter().find(|other| other.0 == from.0).map(|other| between(other.1, from.1));
         let apart =
             apart.or_else(|| parallels(&related, from).into_iter().find(|other| other.0 == to.0).map(|other| between(other.1, to.1)));
@@ -35,17 +40,24 @@ pub(super) fn angles_are_of_one_direction(model: &Model, diag: &mut Diag) {
 }
 
 /// Pairs of axes that joints keep parallel.
-fn related(model: &Model) -> Vec<[Direction; 2]> {
+fn related(model: &Model, defaults: &[f64]) -> Vec<[Direction; 2]> {
     let pairs = |(_, _, relation): &(usize, usize, Relationship)| match relation {
-        Relationship::SameDirection(one, two) => vec![axes_of(model, one, two, 2)],
-        Relationship::SameOrientation(one, two) | Relationship::Equal(one, two) => (0..3).map(|k| axes_of(model, one, two, k)).collect(),
+        Relationship::SameDirection(one, two) => vec![axes_of(model, defaults, [one, two], 2)],
+        Relationship::SameOrientation(one, two) | Relationship::Equal(one, two) => {
+            (0..3).map(|k| axes_of(model, defaults, [one, two], k)).collect()
+        }
         Relationship::Coincident(..) | Relationship::Perpendicular(..) | Relationship::OnLine(..) => Vec::new(),
     };
     model.space.relations.iter().flat_map(pairs).collect()
 }
 
-fn axes_of(model: &Model, one: &Triad, two: &Triad, axis: usize) -> [Direction; 2] {
-    [one, two].map(|triad| direction(model, triad.body, triad.axes[axis]))
+fn axes_of(model: &Model, defaults: &[f64], triads: [&Triad; 2], axis: usize) -> [Direction; 2] {
+    triads.map(|triad| direction(model, defaults, triad.body, triad.axes[axis]))
+}
+
+/// True for two directions of one body that are parallel.
+fn is_one(one: Direction, other: Direction) -> bool {
+    one.0 == other.0 && between(one.1, other.1).sin() < PARALLEL
 }
 
 /// The directions in all bodies that are parallel to one.
@@ -56,8 +68,7 @@ fn parallels(related: &[[Direction; 2]], to: Direction) -> Vec<Direction> {
         next += 1;
         for [one, two] in related {
             for (near, far) in [(one, two), (two, one)] {
-                let is_met = near.0 == direction.0 && between(near.1, direction.1).sin() < PARALLEL;
-                if is_met && !found.iter().any(|known| known.0 == far.0 && between(known.1, far.1).sin() < PARALLEL) {
+                if is_one(*near, direction) && !found.iter().any(|known| is_one(*known, *far)) {
                     found.push(*far);
                 }
             }
@@ -74,13 +85,24 @@ fn between(one: [f64; 3], two: [f64; 3]) -> f64 {
     libm::atan2(sine, cosine)
 }
 
-fn direction(model: &Model, body: Option<usize>, local: Triple) -> Direction {
-    let functions = |_: u32, _: f64| [f64::NAN; 3];
-    let known = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
-    let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
-    let defaults = evaluate(&model.arena, &defaults, &known);
-    let parts = evaluate(&model.arena, &local, &Values { parameters: &defaults, ..known });
+fn direction(model: &Model, defaults: &[f64], body: Option<usize>, local: Triple) -> Direction {
+    let parts = values(model, defaults, &local);
     (body, [parts[0], parts[1], parts[2]])
+}
+
+/// The defaults of the parameters.
+fn defaults(model: &Model) -> Vec<f64> {
+    let all: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
+    values(model, &[], &all)
+}
+
+fn values(model: &Model, parameters: &[f64], exprs: &[Expr]) -> Vec<f64> {
+    let functions = |_: u32, _: f64| [f64::NAN; 3];
+    evaluate(
+        &model.arena,
+        exprs,
+        &Values { time: 0.0, parameters, coordinates: &[], speeds: &[], accelerations: &[], functions: &functions },
+    )
 }
 
 /// What uses the angle with this number.
