@@ -1,6 +1,6 @@
 //! All names of a mechanism, and the state of their resolution.
 //!
-//! Namespaces, values, keys of declarations, and signatures of definitions, for `resolve`. Nothing here reads an expression.
+//! Namespaces, values, keys of declarations, and signatures of definitions, for `resolve`. Nothing here resolves an expression.
 //!
 //! Names live in namespaces: that of the mechanism, one for each part, one for each body. A name with indices is an array, and each of
 //! its elements is a separate item.
@@ -12,7 +12,7 @@ mod value;
 
 pub(crate) use key::Key;
 pub(crate) use scope::{Instance, Scope, Timeless};
-pub(crate) use signature::{places, signature, too_few, too_many, unknown_argument, wanted};
+pub(crate) use signature::{fits, places, signature, too_few, too_many, unknown_argument, wanted};
 pub(crate) use value::{Arguments, Fixed, FrameId, FunctionValue, Scalar, Value, Vector};
 
 use crate::expr::Expr;

@@ -1,6 +1,9 @@
 //! Signatures of definitions, for messages.
 
+use super::value::Value;
 use crate::diag::{ArityFact, Range, Wanted, nearest};
+use crate::expr::{Arena, Expr, Leaf};
+use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{Argument, Definition, Dimension, Formal, FormalKind};
 use proc_macro2::Ident;
 
@@ -86,4 +89,21 @@ pub(crate) fn unknown_argument(definition: &Definition, name: &Ident) -> ArityFa
     let names: Vec<String> = definition.parameters.iter().map(|formal| formal.name.to_string()).collect();
     let near = nearest(&name.to_string(), names.iter().map(String::as_str));
     ArityFact::UnknownArgument { definition: definition.name.to_string(), name: name.to_string(), signature: signature(definition), near }
+}
+
+/// True if a value can be an argument for a parameter of this kind.
+pub(crate) fn fits(arena: &Arena, kind: &FormalKind, value: &Value) -> bool {
+    let is_of = |measure: InferredDim, is_length: bool| measure == InferredDim::Any || measure.fits(Dim::LENGTH) == is_length;
+    let is_fixed = |part: &Expr| arena.leaves(*part).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_)));
+    match (kind, value) {
+        (FormalKind::Point, Value::Point(_)) | (FormalKind::Axis, Value::Axis(_)) | (FormalKind::Body, Value::Body(_)) => true,
+        (FormalKind::Point | FormalKind::Axis, Value::Vector(vector)) => {
+            vector.parts.iter().all(is_fixed) && is_of(vector.measure, matches!(kind, FormalKind::Point))
+        }
+        (FormalKind::Quantity, Value::Scalar(_)) | (FormalKind::Function(..), Value::Function(_)) => true,
+        (FormalKind::Scalar(written), Value::Scalar(scalar)) => written.dim().is_some_and(|dim| scalar.measure.fits(dim)),
+        (FormalKind::Scalar(_), Value::Joint { .. }) => true,
+        (FormalKind::Joint(wanted), Value::Joint { kind, .. }) => wanted == kind,
+        _ => false,
+    }
 }

@@ -93,6 +93,15 @@ impl Value {
         if let Value::Scalar(scalar) = self { Some(*scalar) } else { None }
     }
 
+    /// The frame of a point, an axis or a body.
+    pub(crate) fn frame(&self) -> Option<FrameId> {
+        match self {
+            Value::Point(fixed) | Value::Axis(fixed) => Some(fixed.frame),
+            Value::Body(frame) => Some(*frame),
+            _ => None,
+        }
+    }
+
     /// True if the value is a vector or stands for one.
     pub(crate) fn is_vector(&self) -> bool {
         matches!(self, Value::Vector(_) | Value::Point(_) | Value::Axis(_))

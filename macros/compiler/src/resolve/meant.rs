@@ -194,12 +194,7 @@ impl Elaborator<'_> {
         ) {
             return vec![format!("dot({joint}.{to} - {joint}.{from}, {joint}.{axis})")];
         }
-        let frame = |value: &Value| match value {
-            Value::Point(fixed) | Value::Axis(fixed) => Some(fixed.frame),
-            Value::Body(frame) => Some(*frame),
-            _ => None,
-        };
-        let mut frames: Vec<FrameId> = arguments.iter().filter_map(|(_, value)| frame(value)).collect();
+        let mut frames: Vec<FrameId> = arguments.iter().filter_map(|(_, value)| value.frame()).collect();
         frames.retain(|frame| *frame != FrameId::GROUND);
         frames.dedup();
         let name = |frame: &FrameId| &self.names.frames[frame.0].name;

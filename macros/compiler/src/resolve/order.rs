@@ -3,9 +3,9 @@
 use super::elaborate::Elaborator;
 use crate::diag::ArityFact;
 use crate::hints::point_of;
-use crate::names::{Entity, FrameId, Scope, Value, signature};
-use crate::quantity::{Ambient, Dim, InferredDim};
-use crate::syntax::ast::{Argument, Definition, FormalKind, JointBody};
+use crate::names::{Entity, FrameId, Scope, Value, fits, signature};
+use crate::quantity::Ambient;
+use crate::syntax::ast::{Argument, Definition, Formal, FormalKind, JointBody};
 use proc_macro2::Ident;
 use std::collections::BTreeSet;
 
@@ -20,10 +20,21 @@ impl Elaborator<'_> {
         // All of them have a value: otherwise something else was refused.
         let values: Option<Vec<Value>> = given.iter().map(|argument| self.value(&argument.value, scope)).collect();
         let mut open: Vec<(&Argument, Value)> = given.iter().zip(values?).collect();
-        let mut ordered = Vec::new();
-        for formal in &definition.parameters[..given.len()] {
-            let place = open.iter().position(|(_, value)| self.fits(&formal.kind, value))?;
-            ordered.push(open.remove(place).0.value.to_string());
+        // What is written out is of ground.
+        let frame = |value: &Value| value.frame().unwrap_or(FrameId::GROUND);
+        let (mut ordered, mut last_frame) = (Vec::new(), FrameId::GROUND);
+        for (index, formal) in definition.parameters[..given.len()].iter().enumerate() {
+            // A point and the axis after it belong to one body.
+            let is_axis = |formal: &Formal| matches!(formal.kind, FormalKind::Axis);
+            let has_axis = definition.parameters.get(index + 1).is_some_and(is_axis);
+            let axes = open.iter().filter(|(_, value)| fits(&self.arena, &FormalKind::Axis, value));
+            let axes: Vec<FrameId> = axes.map(|(_, value)| frame(value)).collect();
+            let is_beside = |own: FrameId| if is_axis(formal) { own == last_frame } else { has_axis && axes.contains(&own) };
+            let fitting: Vec<usize> = (0..open.len()).filter(|place| fits(&self.arena, &formal.kind, &open[*place].1)).collect();
+            let place = *fitting.iter().find(|place| is_beside(frame(&open[**place].1))).or(fitting.first())?;
+            let (argument, value) = open.remove(place);
+            ordered.push(argument.value.to_string());
+            last_frame = frame(&value);
         }
         let name = definition.name.to_string();
         let instead = format!("{name}({})", ordered.join(", "));
@@ -45,7 +56,7 @@ impl Elaborator<'_> {
         let (mut written, mut missing, mut without) = (Vec::new(), Vec::new(), Vec::new());
         let mut last: Option<(String, FrameId)> = None;
         for formal in &definition.parameters {
-            match open.next_if(|(_, value)| self.fits(&formal.kind, value)) {
+            match open.next_if(|(_, value)| fits(&self.arena, &formal.kind, value)) {
                 Some((argument, value)) => {
                     written.push(argument.value.to_string());
                     if let Value::Point(point) = value {
@@ -70,23 +81,6 @@ impl Elaborator<'_> {
         let (definition, signature) = (definition.name.to_string(), signature(definition));
         let instead = format!("{definition}({})", written.join(", "));
         self.refuse(kind, ArityFact::MissingAxes { definition, signature, missing, instead, without })
-    }
-
-    /// True if a value can be an argument for a parameter of this kind.
-    fn fits(&mut self, kind: &FormalKind, value: &Value) -> bool {
-        let is_of = |measure: InferredDim, is_length: bool| measure == InferredDim::Any || measure.fits(Dim::LENGTH) == is_length;
-        match (kind, value) {
-            (FormalKind::Point, Value::Point(_)) | (FormalKind::Axis, Value::Axis(_)) | (FormalKind::Body, Value::Body(_)) => true,
-            (FormalKind::Point | FormalKind::Axis, Value::Vector(vector)) => {
-                let is_point = matches!(kind, FormalKind::Point);
-                vector.parts.iter().all(|part| self.is_fixed(*part)) && is_of(vector.measure, is_point)
-            }
-            (FormalKind::Quantity, Value::Scalar(_)) | (FormalKind::Function(..), Value::Function(_)) => true,
-            (FormalKind::Scalar(written), Value::Scalar(scalar)) => written.dim().is_some_and(|dim| scalar.measure.fits(dim)),
-            (FormalKind::Scalar(_), Value::Joint { .. }) => true,
-            (FormalKind::Joint(wanted), Value::Joint { kind, .. }) => wanted == kind,
-            _ => false,
-        }
     }
 
     /// The first point of a body that no joint is written with; else its first point, or its origin.
