@@ -167,17 +167,20 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
 
 /// Runs all rooms after names are resolved.
 fn after_names(mut model: Model, diag: &mut Diag) -> Option<Compiled> {
-    let mut has_opposed = false;
-    let mut placed = placed(&model, &mut has_opposed, diag);
-    if placed.is_none() && has_opposed && diag.is_of_open_joints() {
-        // Bodies that start far from their places may have axes against each other that lie along each other where the joints close.
+    let mut system = system::assemble(&model, diag)?;
+    let mut placed = placed(&model, &system, diag);
+    if placed.is_none() && system.has_opposed && diag.is_of_open_joints() {
+        // The declared starts turn axes of a joint against each other, and so no loop closes. With the axes along each other it may:
+        // the unknowns, which depend on this, are chosen once more.
+        let mut again = Diag::default();
         model.space.facing = Facing::Along;
-        placed = self::placed(&model, &mut has_opposed, &mut Diag::default());
+        system = system::assemble(&model, &mut again)?;
+        placed = self::placed(&model, &system, &mut again);
         if placed.is_some() {
             diag.withdraw(0);
         }
     }
-    let (system, structure, assembly) = placed?;
+    let (structure, assembly) = placed?;
     // There is an initial configuration; it is assembled unless the mechanism allows others.
     let motion = travel::follow(&model, &system, &structure, &assembly, diag)?;
     // The motion continues over its declared range, as far as it was followed.
@@ -191,22 +194,18 @@ fn after_names(mut model: Model, diag: &mut Diag) -> Option<Compiled> {
     Some(Compiled { model, system, structure, assembly, motion, plan, picture })
 }
 
-/// Runs the rooms up to the assembly.
-///
-/// * `has_opposed`: set to true if axes of a joint point against each other, as their declared starts do.
-fn placed(model: &Model, has_opposed: &mut bool, diag: &mut Diag) -> Option<(System, Structure, Assembly)> {
-    let system = system::assemble(model, diag)?;
-    *has_opposed = system.has_opposed;
+/// Runs the rooms from the system to the assembly.
+fn placed(model: &Model, system: &System, diag: &mut Diag) -> Option<(Structure, Assembly)> {
     // Only unknowns and equations are left, with all their derivatives.
-    connectivity::check(model, &system, diag)?;
+    connectivity::check(model, system, diag)?;
     // All bodies are connected to ground.
-    let redundancy = redundancy::find(model, &system, diag)?;
+    let redundancy = redundancy::find(model, system, diag)?;
     // No row is redundant, except in joints declared redundant: those rows are checked instead of solved.
     let structure = structure::analyze(&system.pattern, &redundancy.rows);
-    mobility::check(model, &system, &redundancy, &structure, diag)?;
+    mobility::check(model, system, &redundancy, &structure, diag)?;
     // Every unknown belongs to a block, and the blocks are in order.
-    let assembly = assembly::assemble(model, &system, &structure, diag)?;
-    Some((system, structure, assembly))
+    let assembly = assembly::assemble(model, system, &structure, diag)?;
+    Some((structure, assembly))
 }
 
 fn check(definitions: &ast::Definitions, diag: &mut Diag) {

@@ -90,12 +90,12 @@ impl fmt::Display for Doubt {
                 write!(f, "\nhelp: write `{number}mm`, or `{number}m` if it is meant")
             }
             Doubt::BareAngle { function, number } => {
+                let in_unit = |unit: &str| match function {
+                    Some(function) => format!("{function}({number}{unit})"),
+                    None => format!("{number}{unit}"),
+                };
                 write!(f, "`{number}` has no unit: it is {number} rad")?;
-                write!(f, "\nhelp: write `{function}({number}deg)`, or `{function}({number}rad)` if it is meant")
-            }
-            Doubt::BareStart { number } => {
-                write!(f, "`{number}` has no unit: it is {number} rad, more than a turn")?;
-                write!(f, "\nhelp: write `{number}deg`, or `{number}rad` if it is meant")
+                write!(f, "\nhelp: write `{}`, or `{}` if it is meant", in_unit("deg"), in_unit("rad"))
             }
             Doubt::MotionEnds(fact) => write!(f, "{fact}"),
         }

@@ -56,15 +56,10 @@ pub enum Doubt {
         /// The longest length with a unit.
         longest: String,
     },
-    /// A sine, a cosine or a tangent of a number without a unit that is more than a turn in radians.
+    /// An angle without a unit that is more than a turn in radians.
     BareAngle {
-        /// `sin`, `cos` or `tan`.
-        function: String,
-        /// The number as written.
-        number: String,
-    },
-    /// The start of an angle without a unit that is more than a turn in radians.
-    BareStart {
+        /// `sin`, `cos` or `tan` of it; `None` for the start of an angle.
+        function: Option<String>,
         /// The number as written.
         number: String,
     },
@@ -78,7 +73,7 @@ impl Warning {
         let name = match self.doubt {
             Doubt::FarStart { .. } | Doubt::FarOrientation { .. } => "far_start",
             Doubt::BareLength { .. } => "bare_length",
-            Doubt::BareAngle { .. } | Doubt::BareStart { .. } => "bare_angle",
+            Doubt::BareAngle { .. } => "bare_angle",
             Doubt::MotionEnds(_) => "motion_ends",
         };
         let (name, words) = (Ident::new(name, self.range.first), self.doubt.to_string());

@@ -204,7 +204,7 @@ impl Arena {
         self.constants[expr.index()].map(|constant| constant.value)
     }
 
-    /// True if a constant part that is not finite, such as √−1, is in the sum or product that the expression is: then nothing makes it finite.
+    /// True if a term or a factor of the expression is a constant that is not finite, such as √−1.
     pub(crate) fn is_never_finite(&self, root: Expr) -> bool {
         let mut seen = Members::default();
         let mut open = vec![root];

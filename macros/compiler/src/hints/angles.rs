@@ -3,7 +3,7 @@
 use crate::diag::{Doubt, Warning};
 use crate::syntax::ast::{Expression, ExpressionKind, Item, JointBody, Mechanism, Statement};
 
-/// Warnings about sines, cosines and tangents of bare numbers that are probably degrees.
+/// Warnings about starts of angles, and about sines, cosines and tangents, of bare numbers that are probably degrees.
 pub(crate) fn bare_angles(tree: &Mechanism) -> Vec<Warning> {
     let mut found = Vec::new();
     of_items(&tree.items, &mut found);
@@ -63,7 +63,7 @@ fn of(expr: &Expression, found: &mut Vec<Warning>) {
             if let (Some(function), [argument]) = (name, arguments.as_slice())
                 && let Some(number) = degrees(argument)
             {
-                found.push(Warning { doubt: Doubt::BareAngle { function, number }, range: argument.range });
+                found.push(Warning { doubt: Doubt::BareAngle { function: Some(function), number }, range: argument.range });
             }
             arguments.iter().for_each(|argument| of(argument, found));
         }
@@ -82,7 +82,7 @@ fn names_angle(value: &Expression) -> bool {
 
 /// The start of an angle.
 fn of_start(value: &Expression, found: &mut Vec<Warning>) {
-    found.extend(degrees(value).map(|number| Warning { doubt: Doubt::BareStart { number }, range: value.range }));
+    found.extend(degrees(value).map(|number| Warning { doubt: Doubt::BareAngle { function: None, number }, range: value.range }));
 }
 
 /// A bare number of more than a turn in radians, as written: it is rather one of degrees.

@@ -69,6 +69,8 @@ pub struct Model {
     pub ambient: Ambient,
     /// Relations between bodies that joints in space impose.
     pub space: Geometry,
+    /// For each angle and displacement of joints, the item that names it first.
+    pub quantity_items: Vec<Option<Name>>,
     /// Declared starts of angles and displacements of joints.
     pub starts: Vec<JointStart>,
     /// Task of the generated code.

@@ -14,7 +14,7 @@ use crate::geometry::{
     rotation,
 };
 use crate::hints::decimal_comma;
-use crate::model::{DECLARED, JointStart, declared_angular};
+use crate::model::{DECLARED, JointStart, Name, declared_angular};
 use crate::names::{Arguments, Fixed, FrameId, Scalar, Scope, Value, Vector};
 use crate::quantity::{Dim, InferredDim, Role};
 use crate::syntax::ast::{self, Statement};
@@ -27,6 +27,9 @@ pub(crate) const BUILTINS: &[&str] = &["across", "along", "joint_angle", "misali
 #[derive(Default)]
 pub(super) struct Notes {
     pub(super) geometry: Geometry,
+    /// Item that is resolved, and for each quantity the item that names it first.
+    pub(super) item: Option<Name>,
+    pub(super) quantity_items: Vec<Option<Name>>,
     /// Declared starts of angles and displacements of joints.
     pub(super) starts: Vec<JointStart>,
     /// Relations that hold where these expressions vanish.
@@ -247,6 +250,7 @@ impl Elaborator<'_> {
         let value = value(&mut self.arena, number);
         let expr = self.arena.build(Node::Marked { mark: Mark::OfJoint(number), value });
         self.space.geometry.quantities.push((quantity, expr));
+        self.space.quantity_items.push(self.space.item.clone());
         expr
     }
 

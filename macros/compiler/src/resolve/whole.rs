@@ -56,6 +56,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
         ambient: tree.ambient,
         space: space.geometry,
         starts: space.starts,
+        quantity_items: space.quantity_items,
         task: tree.task,
         closing: tree.closing,
         allows_far_start: tree.allows_far_start,
@@ -137,7 +138,10 @@ impl Elaborator<'_> {
         let Declared { name, context, .. } = &self.names.declared[id.0];
         let (name, context) = (name.clone(), context.clone());
         let place = is_one_of_many(&context).then(|| format!("in `{name}`"));
-        self.at(place, |this| this.once(item, |this| look(this, &name, &context)))
+        let outer = self.space.item.replace(name.clone());
+        let found = self.at(place, |this| this.once(item, |this| look(this, &name, &context)));
+        self.space.item = outer;
+        found
     }
 
     /// Runs `look` on a declaration, unless it was rejected before, so that each declaration is rejected only once.

@@ -5,8 +5,8 @@
 //! a joint, and where it is undefined the motion ends. Axes whose directions no joint relates are left alone.
 
 use crate::diag::{Diag, SystemFact};
-use crate::expr::{Expr, Mark, Node, Triple, Values, evaluate};
-use crate::model::{JointQuantity, Model, Name, Relationship, Said, Triad};
+use crate::expr::{Expr, Triple, Values, evaluate};
+use crate::model::{JointQuantity, Model, Relationship, Said, Triad};
 
 /// Sine below which two axes are parallel: declared directions are rounded.
 const PARALLEL: f64 = 1e-3;
@@ -19,8 +19,8 @@ pub(super) fn angles_are_of_one_direction(model: &Model, diag: &mut Diag) {
     let mut said = Said::default();
     let defaults = defaults(model);
     let related = related(model, &defaults);
-    for (number, (quantity, _)) in model.space.quantities.iter().enumerate() {
-        let JointQuantity::Angle(one, two) = quantity else { continue };
+    for ((quantity, _), item) in model.space.quantities.iter().zip(&model.quantity_items) {
+        let (JointQuantity::Angle(one, two), Some(name)) = (quantity, item) else { continue };
         let [from, to] = [one, two].map(|triad| direction(model, &defaults, triad.body, triad.axes[2]));
         // The angle of a joint about its own axes.
         if related.iter().any(|[near, far]| is_one(*near, from) && is_one(*far, to)) {
@@ -30,7 +30,6 @@ pub(super) fn angles_are_of_one_direction(model: &Model, diag: &mut Diag) {
         let apart =
             apart.or_else(|| parallels(&related, from).into_iter().find(|other| other.0 == to.0).map(|other| between(other.1, to.1)));
         if let Some(apart) = apart.filter(|apart| apart.sin() > PARALLEL)
-            && let Some(name) = user(model, number as u32).or_else(|| force_between(model, from.0, to.0))
             && said.is_new(name)
         {
             let bodies = [one, two].map(|triad| triad.body.map_or("ground".to_owned(), |body| model.bodies[body].name.to_string()));
@@ -103,25 +102,4 @@ fn values(model: &Model, parameters: &[f64], exprs: &[Expr]) -> Vec<f64> {
         exprs,
         &Values { time: 0.0, parameters, coordinates: &[], speeds: &[], accelerations: &[], functions: &functions },
     )
-}
-
-/// What uses the angle with this number.
-fn user(model: &Model, number: u32) -> Option<&Name> {
-    let is_used = |roots: &[Expr]| {
-        let all = model.arena.reachable(roots);
-        all.into_iter().any(|expr| matches!(model.arena.node(expr), Node::Marked { mark: Mark::OfJoint(other), .. } if *other == number))
-    };
-    let joints =
-        model.joints.iter().map(|joint| (&joint.name, joint.residuals.iter().map(|residual| residual.expr).collect::<Vec<Expr>>()));
-    let forces = model.forces.iter().map(|force| (&model.declared_forces[force.of].name, force.parts.clone()));
-    let outputs = model.outputs.iter().map(|output| (&output.name, output.components.clone()));
-    joints.chain(forces).chain(outputs).find(|(_, roots)| is_used(roots)).map(|(name, _)| name)
-}
-
-/// The first force on two bodies: one that uses the rate of their angle alone.
-fn force_between(model: &Model, one: Option<usize>, two: Option<usize>) -> Option<&Name> {
-    let acts_on = |number: usize, body: Option<usize>| model.forces.iter().any(|force| force.of == number && force.body == body);
-    (0..model.declared_forces.len())
-        .find(|force| acts_on(*force, one) && acts_on(*force, two))
-        .map(|force| &model.declared_forces[force].name)
 }

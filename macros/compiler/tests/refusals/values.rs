@@ -157,9 +157,7 @@ fn starts_of_angles_without_unit_are_doubted() {
         compiled.model.doubts.iter().map(|warning| warning.doubt.to_string()).collect::<Vec<String>>()
     };
     let doubt = |number: &str| {
-        vec![format!(
-            "`{number}` has no unit: it is {number} rad, more than a turn\nhelp: write `{number}deg`, or `{number}rad` if it is meant"
-        )]
+        vec![format!("`{number}` has no unit: it is {number} rad\nhelp: write `{number}deg`, or `{number}rad` if it is meant")]
     };
     assert_eq!(doubts("start angle = 35;", "b.angle", ""), doubt("35"));
     assert_eq!(doubts("start angle = -120;", "b.angle", ""), doubt("-120"));
