@@ -74,11 +74,9 @@ pub(super) fn of_dimension(wanted: Dim, found: Dim) -> &'static str {
         (Dim::INERTIA, Dim::MASS) => {
             "\nhelp: an inertia is a mass by the square of a length, such as `0.003kgm2`, or that of a shape, such as `rod(1m)`"
         }
-        (Dim::ANGLE, Dim::TORQUE) => {
-            "\nhelp: an angle is a given motion; a torque is a force, such as `force name = motor(…);`, and the motion is a `freedom`"
-        }
+        (Dim::ANGLE, Dim::TORQUE) => "\nhelp: for a given torque write `force name = motor(…);`, and for the motion `freedom name = …;`",
         (Dim::LENGTH, Dim::FORCE) => {
-            "\nhelp: a length is a given motion; a force is written `force name = actuator(P, Q, 5N);`, and the motion is a `freedom`"
+            "\nhelp: for a given force write `force name = actuator(P, Q, F);`, and for the motion `freedom name = …;`"
         }
         (Dim::TORQUE, Dim::FORCE) => "\nhelp: a torque is a force times an arm, such as `5Nm`; a force is written `at point: (0N, -5N);`",
         (wanted, Dim::ANGLE) if wanted.times(Dim::TIME) == found => "\nhelp: write a rate, such as `2rad_s`",
