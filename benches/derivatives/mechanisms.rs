@@ -150,7 +150,7 @@ macro_rules! each {
             CrankRockerState,
             tip,
             crank_length,
-            [speed, ground_length, crank_length, coupler_length, rocker_length, along, across]
+            [[speed, ground_length, crank_length, coupler_length, rocker_length, along, across]]
         );
         $measure!(
             "W1 four-bar",
@@ -158,18 +158,19 @@ macro_rules! each {
             FourBarState,
             pin,
             crank_length,
-            [speed, ground_length, crank_length, coupler_length, rocker_length]
+            [[speed, ground_length, crank_length, coupler_length, rocker_length]]
         );
-        $measure!("W2 slider-crank", SliderCrank, SliderCrankState, pin, crank_length, [speed, crank_length, rod_length]);
+        $measure!("W2 slider-crank", SliderCrank, SliderCrankState, pin, crank_length, [[speed, crank_length, rod_length]]);
         $measure!(
             "six-bar, one block of 4",
             SixBar,
             SixBarState,
             pin,
             crank_length,
-            [speed, crank_length, link_length, left_length, coupler_length, apex, right_length, ground_length]
+            [[speed, crank_length, link_length, left_length, coupler_length, apex, right_length, ground_length]]
         );
-        $measure!("W3 Jansen's leg", Jansen, JansenState, toe, m, [speed, a, b, c, d, e, f, g, h, i, j, k, l, m]);
+        $measure!("W3 Jansen's leg, all at once", Jansen, JansenState, toe, m, [[speed, a, b, c, d, e, f, g, h, i, j, k, l, m]]);
+        $measure!("W3, four at a time", Jansen, JansenState, toe, m, [[speed, a, b, c], [d, e, f, g], [h, i, j, k], [l, m]]);
     };
 }
 pub(crate) use each;

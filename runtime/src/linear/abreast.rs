@@ -98,6 +98,9 @@ where
         }
         let solve = |b: &[[T; P]; K]| substitute_rows::<T, E, K, ENTRIES, FACTORS, P>(&self.lu, b);
         let mut x = solve(b);
+        if self.is_tight {
+            return x;
+        }
         let mut rest = *b;
         for (&entry, &(i, j)) in self.matrix.values.iter().zip(&E::ORDER.pattern) {
             if let (Some(rest), Some(known)) = (rest.get_mut(i), x.get(j)) {

@@ -47,7 +47,7 @@ pub struct Sparse<T: FactorReal, E, const K: usize, const ENTRIES: usize, const 
     /// Whether L and U are stable.
     pub(super) is_stable: T::Mask,
     /// Whether they are as accurate as with pivoting, so that refinement improves nothing.
-    is_tight: T::Mask,
+    pub(super) is_tight: T::Mask,
     elimination: PhantomData<E>,
 }
 
