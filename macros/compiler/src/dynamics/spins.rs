@@ -5,7 +5,8 @@
 //! ë = e (−(ė · ė)/(e · e), (ω̇ + h (e · ė) ω)/2)   from e · ë = −ė · ė and ω̇ = h vec(ē ë) − h (e · ė) ω
 //! ```
 //!
-//! e is the quaternion of a body, products are those of quaternions.
+//! e is the quaternion of a body, products are those of quaternions. e · ė is zero at both ends of a step, but not between them. It is not left
+//! out there, because stages of the same step for which this closed form is not good have it too, and all stages must follow one equation.
 
 use super::elimination::{self, Accelerations};
 use super::embedding::Embedding;
