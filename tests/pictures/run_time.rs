@@ -181,9 +181,9 @@ fn page(text: &str) -> String {
 fn at_the_start_the_page_has_the_same_picture() -> Result<(), Box<dyn Error>> {
     let (engine, valve, train, press) =
         (engine::Engine::default(), valve::Valve::default(), train::Train::default(), press::Press::default());
-    assert_eq!(engine.picture(&engine.solve(0.0)?.0), page(engine::TEXT));
-    assert_eq!(valve.picture(&valve.solve(0.0)?.0), page(valve::TEXT));
-    assert_eq!(train.picture(&train.solve(0.0)?.0), page(train::TEXT));
+    assert_eq!(engine.picture(&engine.solve(0.0)?), page(engine::TEXT));
+    assert_eq!(valve.picture(&valve.solve(0.0)?), page(valve::TEXT));
+    assert_eq!(train.picture(&train.solve(0.0)?), page(train::TEXT));
     assert_eq!(press.picture(&press.solve(0.0)?.0), page(press::TEXT));
     let (across, arm) = (across::AcrossCrank::default(), arm::Arm::default());
     assert_eq!(across.picture(&across.solve(0.0)?.0), page(across::TEXT));
@@ -218,7 +218,7 @@ fn a_rust_function_is_drawn_by_programs_only() -> Result<(), Box<dyn Error>> {
 fn a_picture_shows_the_state_and_the_parameters() -> Result<(), Box<dyn Error>> {
     let engine = engine::Engine::default();
     let longer = engine::Engine { rod_length: 0.2, ..engine };
-    let start = engine.picture(&engine.solve(0.0)?.0);
+    let start = engine.picture(&engine.solve(0.0)?);
     assert_ne!(engine.picture(&engine.solve(0.1)?.0), start);
     assert_ne!(longer.picture(&longer.solve(0.0)?.0), start);
     let single = engine::Engine::<f32>::with_defaults();

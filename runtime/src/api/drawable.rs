@@ -7,7 +7,7 @@ use std::string::String;
 
 #[cfg(feature = "view")]
 use crate::number::Float;
-use crate::state::State;
+use crate::state::{HasState, State};
 
 /// A mechanism whose states can be drawn: `#[picture]` before its declaration implements this trait.
 ///
@@ -25,20 +25,19 @@ use crate::state::State;
 /// }
 ///
 /// let pendulum = Pendulum::default();
-/// let state = pendulum.solve(0.5)?;
-/// let svg = pendulum.picture(&state);
+/// let svg = pendulum.picture(&pendulum.solve(0.5)?);
 /// assert!(svg.starts_with("<svg"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait Drawable<T, const N: usize>: Sketch<T, N> {
     /// The scene of a state with these parameters. The state need not be solved.
-    fn scene(&self, state: &State<T, N>) -> Scene {
-        self.sketch(state)
+    fn scene(&self, state: &impl HasState<T, N>) -> Scene {
+        self.sketch(state.as_state())
     }
 
     /// The drawing of a state as inline SVG; at the defaults, the drawing on the type's page. If it cannot be drawn, a sentence with the
     /// reason.
-    fn picture(&self, state: &State<T, N>) -> String {
+    fn picture(&self, state: &impl HasState<T, N>) -> String {
         self.scene(state).svg()
     }
 
@@ -77,8 +76,8 @@ pub trait Drawable<T, const N: usize>: Sketch<T, N> {
         Self: Sized,
     {
         let states: std::vec::Vec<S> = states.into_iter().collect();
-        let title: String = states.first().map(|state| self.scene(state).name().into()).unwrap_or_default();
-        View::new(&title, states, |state| state.t.to_f64(), |state| self.scene(state))
+        let title: String = states.first().map(|state| self.sketch(state).name().into()).unwrap_or_default();
+        View::new(&title, states, |state| state.t.to_f64(), |state| self.sketch(state))
     }
 }
 
