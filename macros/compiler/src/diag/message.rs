@@ -17,7 +17,7 @@ mod words;
 
 pub(crate) use assembly::{degrees, millimetres, significant};
 
-use super::{Doubt, Fact};
+use super::{AngleOf, Doubt, Fact};
 use std::fmt;
 
 impl Fact {
@@ -89,13 +89,23 @@ impl fmt::Display for Doubt {
                 write!(f, "`{number}` has no unit: it is {number} m, where no other length exceeds {longest}")?;
                 write!(f, "\nhelp: write `{number}mm`, or `{number}m` if it is meant")
             }
-            Doubt::BareAngle { function, number } => {
-                let in_unit = |unit: &str| match function {
-                    Some(function) => format!("{function}({number}{unit})"),
-                    None => format!("{number}{unit}"),
+            Doubt::BareAngle { of, number } => {
+                let in_unit = |unit: &str| match of {
+                    AngleOf::Function(function) => format!("{function}({number}{unit})"),
+                    AngleOf::Start | AngleOf::Law => format!("{number}{unit}"),
                 };
                 write!(f, "`{number}` has no unit: it is {number} rad")?;
-                write!(f, "\nhelp: write `{}`, or `{}` if it is meant", in_unit("deg"), in_unit("rad"))
+                match of {
+                    AngleOf::Law => {
+                        write!(
+                            f,
+                            ", at which the drive stands still\nhelp: write `{number}rpm * t` for a speed, or `{number}deg` for an angle"
+                        )
+                    }
+                    AngleOf::Start | AngleOf::Function(_) => {
+                        write!(f, "\nhelp: write `{}`, or `{}` if it is meant", in_unit("deg"), in_unit("rad"))
+                    }
+                }
             }
             Doubt::MotionEnds(fact) => write!(f, "{fact}"),
         }

@@ -26,7 +26,7 @@ pub(crate) use message::{degrees, millimetres, significant};
 pub(crate) use remedy::quantity;
 pub(crate) use suggest::{nearest, nearest_unit, usual_dimension};
 pub(crate) use warning::of_unused;
-pub use warning::{Doubt, Warning};
+pub use warning::{AngleOf, Doubt, Warning};
 
 use crate::quantity::Dim;
 use proc_macro2::{Ident, Span, TokenStream};
@@ -153,6 +153,18 @@ impl Diag {
     /// Takes back all errors but the first `kept`, where a single one is to say it better.
     pub(crate) fn withdraw(&mut self, kept: usize) {
         self.refusals.truncate(kept);
+    }
+
+    /// Of the errors of one call, those after the first `known`, keeps only the one that names another force.
+    pub(crate) fn keep_other_force(&mut self, known: usize) {
+        let names_other = |refusal: &Refusal| {
+            let fact = if let Fact::InInstance { fact, .. } = &refusal.fact { fact } else { &refusal.fact };
+            matches!(fact, Fact::Value(ValueFact::WrongArgument { definition, found, .. }) if remedy::about_an_axis(definition, found).is_some())
+        };
+        if let Some(place) = self.refusals[known..].iter().position(names_other) {
+            self.refusals.swap(known, known + place);
+            self.withdraw(known + 1);
+        }
     }
 
     /// Suppresses all further errors: a limit was exceeded, and the rest of the declaration is not checked.

@@ -45,6 +45,18 @@ pub(super) fn of_kind(wanted: &Wanted, found: &Kind, ambient: Ambient) -> &'stat
     }
 }
 
+/// The force about an axis that corresponds to one along a line between points.
+pub(super) fn about_an_axis(definition: &str, found: &Kind) -> Option<&'static str> {
+    match definition {
+        _ if *found != Kind::Axis => None,
+        "spring" => Some("torsion_spring"),
+        "damper" => Some("torsion_damper"),
+        "spring_damper" => Some("torsion_spring_damper"),
+        "actuator" => Some("motor"),
+        _ => None,
+    }
+}
+
 /// For two values that cannot be equated.
 pub(super) fn of_equation(one: &Kind, two: &Kind, ambient: Ambient) -> &'static str {
     let is_directed = |kind: &Kind| matches!(kind, Kind::Point | Kind::Vector | Kind::Axis);

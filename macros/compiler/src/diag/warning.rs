@@ -58,13 +58,24 @@ pub enum Doubt {
     },
     /// An angle without a unit that is more than a turn in radians.
     BareAngle {
-        /// `sin`, `cos` or `tan` of it; `None` for the start of an angle.
-        function: Option<String>,
+        /// Its use.
+        of: AngleOf,
         /// The number as written.
         number: String,
     },
     /// The motion ends before it has repeated itself as a whole.
     MotionEnds(Box<Fact>),
+}
+
+/// Use of a number as an angle.
+#[derive(Clone, Debug, PartialEq)]
+pub enum AngleOf {
+    /// The start of an angle.
+    Start,
+    /// The constant law of a drive.
+    Law,
+    /// `sin`, `cos` or `tan`.
+    Function(String),
 }
 
 impl Warning {

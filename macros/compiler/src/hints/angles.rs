@@ -1,9 +1,12 @@
 //! Warnings about angles without a unit, which count as radians.
 
-use crate::diag::{Doubt, Warning};
+use crate::diag::{AngleOf, Doubt, Warning};
 use crate::syntax::ast::{Expression, ExpressionKind, Item, JointBody, Mechanism, Statement};
 
-/// Warnings about starts of angles, and about sines, cosines and tangents, of bare numbers that are probably degrees.
+/// Drives that prescribe an angle.
+const DRIVES: [&str; 3] = ["drive_angle", "drive_relative_angle", "drive_rotation"];
+
+/// Warnings about starts of angles, constant laws of drives, and sines, cosines and tangents, of bare numbers that are probably degrees.
 pub(crate) fn bare_angles(tree: &Mechanism) -> Vec<Warning> {
     let mut found = Vec::new();
     of_items(&tree.items, &mut found);
@@ -20,13 +23,13 @@ fn of_items(items: &[Item], found: &mut Vec<Warning>) {
             Item::Output(output) => of(&output.value, found),
             Item::Start(start) => {
                 if names_angle(&start.quantity) {
-                    of_start(&start.value, found);
+                    of_angle(AngleOf::Start, &start.value, found);
                 }
                 of(&start.value, found);
             }
             Item::Ground(frame) | Item::Body(frame) => {
                 frame.marks.single.iter().for_each(|mark| of(&mark.value, found));
-                frame.starts.iter().filter(|start| start.what == "angle").for_each(|start| of_start(&start.value, found));
+                frame.starts.iter().filter(|start| start.what == "angle").for_each(|start| of_angle(AngleOf::Start, &start.value, found));
                 frame.starts.iter().for_each(|start| of(&start.value, found));
             }
             Item::Part(part) => part.arguments.iter().for_each(|argument| of(&argument.value, found)),
@@ -39,7 +42,12 @@ fn of_items(items: &[Item], found: &mut Vec<Warning>) {
 
 fn of_joint(body: &JointBody, found: &mut Vec<Warning>) {
     match body {
-        JointBody::Of { arguments, .. } => arguments.iter().for_each(|argument| of(&argument.value, found)),
+        JointBody::Of { kind, arguments } => {
+            arguments.iter().for_each(|argument| of(&argument.value, found));
+            if let Some(law) = arguments.last().filter(|_| DRIVES.iter().any(|drive| kind == drive)) {
+                of_angle(AngleOf::Law, &law.value, found);
+            }
+        }
         JointBody::Equations(statements) => statements.iter().for_each(|statement| match statement {
             Statement::Let(binding) => of(&binding.value, found),
             Statement::Equation(one, two) => [one, two].into_iter().for_each(|side| of(side, found)),
@@ -49,7 +57,7 @@ fn of_joint(body: &JointBody, found: &mut Vec<Warning>) {
         JointBody::Freedom(freedom) => {
             of(&freedom.value, found);
             if let Some(from) = freedom.from.as_ref().filter(|_| names_angle(&freedom.value)) {
-                of_start(from, found);
+                of_angle(AngleOf::Start, from, found);
             }
         }
         JointBody::Energy(value) | JointBody::Value(value) => of(value, found),
@@ -60,10 +68,8 @@ fn of(expr: &Expression, found: &mut Vec<Warning>) {
     match &expr.kind {
         ExpressionKind::Call(path, arguments) => {
             let name = path.name.as_ref().map(ToString::to_string).filter(|name| ["sin", "cos", "tan"].contains(&name.as_str()));
-            if let (Some(function), [argument]) = (name, arguments.as_slice())
-                && let Some(number) = degrees(argument)
-            {
-                found.push(Warning { doubt: Doubt::BareAngle { function: Some(function), number }, range: argument.range });
+            if let (Some(function), [argument]) = (name, arguments.as_slice()) {
+                of_angle(AngleOf::Function(function), argument, found);
             }
             arguments.iter().for_each(|argument| of(argument, found));
         }
@@ -80,9 +86,8 @@ fn names_angle(value: &Expression) -> bool {
     matches!(&value.kind, ExpressionKind::Field(_, name) if name == "angle")
 }
 
-/// The start of an angle.
-fn of_start(value: &Expression, found: &mut Vec<Warning>) {
-    found.extend(degrees(value).map(|number| Warning { doubt: Doubt::BareAngle { function: None, number }, range: value.range }));
+fn of_angle(of: AngleOf, value: &Expression, found: &mut Vec<Warning>) {
+    found.extend(degrees(value).map(|number| Warning { doubt: Doubt::BareAngle { of, number }, range: value.range }));
 }
 
 /// A bare number of more than a turn in radians, as written: it is rather one of degrees.

@@ -171,6 +171,7 @@ impl Elaborator<'_> {
             bound.extend(value.map(|value| (formal.name.to_string(), value)));
         }
         if !complete {
+            self.diag.keep_other_force(before);
             self.are_in_order(definition, given, before, scope);
         }
         complete.then_some(bound)

@@ -171,3 +171,28 @@ fn starts_of_angles_without_unit_are_doubted() {
         assert_eq!(doubts(start, coordinate, from), [""; 0], "{start} {from}");
     }
 }
+
+#[test]
+fn drives_that_stand_still_at_a_bare_number_are_doubted() {
+    let doubts = |source: String| {
+        let compiled = reuleaux_compiler::compile(source.parse().expect("tokens")).expect("a number is an angle");
+        compiled.model.doubts.iter().map(|warning| warning.doubt.to_string()).collect::<Vec<String>>()
+    };
+    let plane = |law: &str| {
+        format!("mechanism M {{ body b {{ }} joint o = revolute(ground.position, b.position); drive d = drive_angle(b, {law}); }}")
+    };
+    let space = |law: &str| {
+        format!(
+            "mechanism M in space {{ body b {{ axis z = (0, 0, 1) from (1, 0, 0); }}
+                joint o = revolute((0m, 0m, 0m), (0, 0, 1), b.position, b.z); drive d = drive_rotation(o, {law}); }}"
+        )
+    };
+    let wanted =
+        "`60` has no unit: it is 60 rad, at which the drive stands still\nhelp: write `60rpm * t` for a speed, or `60deg` for an angle";
+    for source in [plane("60"), space("60")] {
+        assert_eq!(doubts(source), [wanted]);
+    }
+    for sure in ["6", "60deg", "60rad", "60rpm * t", "90deg + 60rpm * t"] {
+        assert_eq!(doubts(plane(sure)), [""; 0], "{sure}");
+    }
+}

@@ -14,6 +14,10 @@ impl Display for ArityFact {
                 let missing_ones = listed(missing.iter().map(String::as_str));
                 let verb = if missing.len() == 1 { "is" } else { "are" };
                 write!(f, "`{definition}` takes {}, found {found}: {missing_ones} {verb} missing", range_of(takes, "argument"))?;
+                if definition.starts_with("torsion_") && missing.len() == 1 {
+                    let ends = if signature.contains("Axis") { "axes" } else { "bodies" };
+                    write!(f, "\nhelp: for a joint, write its two {ends} instead of its name")?;
+                }
                 write!(f, "\nnote: `{signature}`")
             }
             ArityFact::MissingAxes { definition, signature, missing, instead, without } => {

@@ -15,9 +15,10 @@ impl Display for ValueFact {
             }
             ValueFact::WrongArgument { parameter, definition, wanted, found, ambient, instead } => {
                 write!(f, "`{parameter}` of `{definition}` takes {wanted}, found {found}")?;
-                match instead {
-                    Some(instead) => write!(f, "\nhelp: write `{instead}`"),
-                    None => write!(f, "{}", remedy::of_kind(wanted, found, *ambient)),
+                match (instead, remedy::about_an_axis(definition, found)) {
+                    (Some(instead), _) => write!(f, "\nhelp: write `{instead}`"),
+                    (None, Some(turning)) => write!(f, "\nhelp: `{turning}` acts between axes, about them"),
+                    (None, None) => write!(f, "{}", remedy::of_kind(wanted, found, *ambient)),
                 }
             }
             ValueFact::WrongArgumentDimension { parameter, definition, wanted, found } => {
