@@ -18,6 +18,7 @@ mod judge;
 mod mechanisms;
 
 use std::collections::BTreeSet;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use bytes::Bytes;
@@ -102,21 +103,22 @@ fn random(seed: u64) -> Vec<u8> {
     (0..random.usize(8..200)).map(|_| random.u8(..)).collect()
 }
 
-/// Runs all cases, on a thread with a small stack for each processor.
+/// Runs all cases, on a thread with a small stack for each processor, which takes the next case when it is done with one.
 fn all(cases: &[(String, Vec<u8>)], largest: f64) -> Count {
-    let share = cases.len().div_ceil(std::thread::available_parallelism().map_or(1, usize::from)).max(1);
+    let next = AtomicUsize::new(0);
     std::thread::scope(|scope| {
-        let start = |share| {
+        let start = |_| {
             let worker = std::thread::Builder::new().stack_size(STACK);
-            worker.spawn_scoped(scope, move || run(share, largest)).expect("a thread can be started")
+            let cases = std::iter::from_fn(|| cases.get(next.fetch_add(1, Ordering::Relaxed)));
+            worker.spawn_scoped(scope, move || run(cases, largest)).expect("a thread can be started")
         };
-        let workers: Vec<_> = cases.chunks(share).map(start).collect();
+        let workers: Vec<_> = (0..std::thread::available_parallelism().map_or(1, usize::from)).map(start).collect();
         workers.into_iter().map(|worker| worker.join().expect("no case panics, and none is wrong")).sum()
     })
 }
 
 /// Runs cases one after the other.
-fn run(cases: &[(String, Vec<u8>)], largest: f64) -> Count {
+fn run<'c>(cases: impl Iterator<Item = &'c (String, Vec<u8>)>, largest: f64) -> Count {
     let mut count = Count::default();
     let mut wrong = Vec::new();
     for (name, bytes) in cases {
