@@ -135,6 +135,9 @@ impl Elaborator<'_> {
         let body = &self.names.frames[other.0].name;
         match (given, relation) {
             (Value::Point(_), Relation::Different) => Some("take a point of another body".to_owned()),
+            (Value::Point(at), Relation::Equal) if other != FrameId::GROUND => {
+                Some(format!("take a point of `{body}`, or an axis of `{}`", self.names.frames[at.frame.0].name))
+            }
             (Value::Axis(_), Relation::Equal) => Some(match self.names.an_axis_of(other) {
                 Some(axis) => format!("take an axis of `{body}`, such as `{body}.{axis}`"),
                 None => format!("give `{body}` an `axis`, and take it here"),
