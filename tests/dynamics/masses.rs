@@ -436,7 +436,7 @@ fn impossible_masses_of_parameters_are_refused() {
     let bob = |mass, inertia| Bob { mass, inertia }.initial_state().map(|_| ()).map_err(|why| why.to_string());
     assert_eq!(bob(0.0, 0.2), Ok(()));
     let why = bob(2.0, -0.1).expect_err("no such body");
-    assert_eq!(why, "the parameter `inertia` is -0.1 m²·kg: an inertia must not be negative (`bob.inertia`)");
+    assert_eq!(why, "the parameter `inertia` is -0.1 kg m²: an inertia must not be negative (`bob.inertia`)");
 }
 
 mechanism! {

@@ -36,6 +36,23 @@ const NAMED: &[(&str, [i16; 4])] = &[
 
 const UNITS: [&str; 4] = ["m", "rad", "s", "kg"];
 
+const TORSIONAL_STIFFNESS: Dim = Dim::new(2, -1, -2, 1);
+const TORSIONAL_DAMPING: Dim = Dim::new(2, -1, -1, 1);
+
+/// Units that engineers do not write by metre, second and kilogram.
+const DERIVED: [(Dim, &str); 10] = [
+    (Dim::new(2, 0, 0, 1), "kg m²"),
+    (Dim::new(1, 0, -2, 1), "N"),
+    (Dim::new(2, 0, -2, 1), "N m"),
+    (Dim::new(0, 0, -2, 1), "N/m"),
+    (Dim::new(0, 0, -1, 1), "N s/m"),
+    (Dim::new(2, 0, -3, 1), "W"),
+    (Dim::new(-1, 0, -2, 1), "Pa"),
+    (Dim::new(2, 0, -1, 1), "N m s"),
+    (TORSIONAL_STIFFNESS, "N m/rad"),
+    (TORSIONAL_DAMPING, "N m s/rad"),
+];
+
 impl Dim {
     /// A pure number.
     pub(crate) const NUMBER: Dim = Dim::new(0, 0, 0, 0);
@@ -141,8 +158,11 @@ impl Dim {
         result
     }
 
-    /// The SI unit: `m`, `rad/s`, `m²`; empty for a pure number.
+    /// The SI unit: `m`, `rad/s`, `m²`, `N/m`; empty for a pure number.
     pub fn unit(self) -> String {
+        if let Some((_, unit)) = DERIVED.iter().find(|(dim, _)| *dim == self) {
+            return (*unit).to_owned();
+        }
         let factor = |unit: &str, sixths: i16| {
             let exponent = sixths.abs();
             match (exponent % WHOLE, exponent / WHOLE) {
@@ -181,16 +201,10 @@ impl fmt::Display for Dim {
             Some("Acceleration") => "an acceleration",
             Some("AngularVelocity") => "an angular velocity",
             Some("AngularAcceleration") => "an angular acceleration",
-            Some("Inertia") => return write!(formatter, "an inertia (kg m²)"),
-            Some("Force") => return write!(formatter, "a force (N)"),
-            Some("Torque") => return write!(formatter, "a torque (N m)"),
-            Some("Stiffness") => return write!(formatter, "a stiffness (N/m)"),
-            Some("Damping") => return write!(formatter, "a damping (N s/m)"),
-            Some("Power") => return write!(formatter, "a power (W)"),
-            Some("Pressure") => return write!(formatter, "a pressure (Pa)"),
+            Some("Inertia") => "an inertia",
             Some(other) => return write!(formatter, "a {} ({})", other.to_lowercase(), self.unit()),
-            None if *self == Dim::TORQUE.per(Dim::ANGLE) => return write!(formatter, "a torsional stiffness (N m/rad)"),
-            None if *self == Dim::TORQUE.per(Dim::ANGLE).times(Dim::TIME) => return write!(formatter, "a torsional damping (N m s/rad)"),
+            None if *self == TORSIONAL_STIFFNESS => "a torsional stiffness",
+            None if *self == TORSIONAL_DAMPING => "a torsional damping",
             None => return write!(formatter, "a quantity in {}", self.unit()),
         };
         write!(formatter, "{words} ({})", self.unit())
