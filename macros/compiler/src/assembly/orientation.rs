@@ -41,6 +41,9 @@ impl Numeric<'_> {
         }
         let found = self.orientation(q, body)?;
         let Some(from) = self.joined_to(body) else { return Some(turn(found)) };
+        if self.system.driven.contains(&from) {
+            return Some(turn(found));
+        }
         let [real, x, y, z] = self.orientation(q, from)?;
         let relative = product([real, -x, -y, -z], found);
         Some(turn(product(self.declared_orientation(from).unwrap_or([1.0, 0.0, 0.0, 0.0]), relative)))

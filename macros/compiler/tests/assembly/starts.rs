@@ -477,3 +477,37 @@ fn coordinates_held_by_equations_of_velocities_begin_at_zero_where_they_can() {
     let wanted = [0.0, 0.0, 0.0, 2.0, 0.0, 20.0_f64.to_radians()];
     assert!(found.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-15), "{found:?}");
 }
+
+/// A slider-crank of which only the rod is declared, in either of its two assemblies: sin β = −r/l sin φ. Where a drive turns the crank, the rod is
+/// turned against ground as declared, however the joint counts its angle.
+#[test]
+fn a_body_beside_a_driven_one_starts_as_it_is_declared_against_ground() {
+    for turn in (0..12).map(|step| 15.0 + 30.0 * f64::from(step)) {
+        for (joint, sign) in
+            [("ground.position, ground.z, crank.position, crank.z", 1.0), ("crank.position, crank.z, ground.position, ground.z", -1.0)]
+        {
+            let phi = f64::to_radians(turn);
+            let reached = (-0.1 / 0.15 * phi.sin()).asin();
+            for rod in [reached, std::f64::consts::PI - reached] {
+                let source = format!(
+                    "mechanism Slider in space {{
+                        ground {{ axis z = (0, 0, 1) from (1, 0, 0); axis x = (1, 0, 0) from (0, 1, 0); }}
+                        body crank {{ axis z = (0, 0, 1) from (1, 0, 0); point E = (100mm, 0mm, 0mm); }}
+                        body rod {{ axis z = (0, 0, 1) from (1, 0, 0); point E = (150mm, 0mm, 0mm); start orientation = turn((0, 0, 1), {}deg); }}
+                        body slide {{ axis x = (1, 0, 0) from (0, 1, 0); }}
+                        joint o = revolute({joint});
+                        joint a = cylindrical(crank.E, crank.z, rod.position, rod.z);
+                        joint b = spherical(rod.E, slide.position);
+                        joint g = translational(ground.position, ground.x, slide.position, slide.x);
+                        drive i = drive_rotation(o, {}deg + 1rad_s * t); }}",
+                    rod.to_degrees() + 6.0,
+                    sign * turn
+                );
+                let compiled = accepted(&source);
+                let (found, right) = (start(&compiled, "slide.x"), 0.1 * phi.cos() + 0.15 * rod.cos());
+                assert!((found - right).abs() < 1e-12, "crank at {turn}°, rod at {}°: {found}, not {right}", rod.to_degrees());
+                assert!(compiled.assembly.warnings.is_empty(), "{:?}", compiled.assembly.warnings);
+            }
+        }
+    }
+}

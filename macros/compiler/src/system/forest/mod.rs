@@ -44,6 +44,8 @@ pub(super) struct Forest<'a> {
     origins: BTreeMap<usize, Triple>,
     /// Bodies that turn to their declared place at the start, and those that keep the orientation of such a body.
     placed: BTreeSet<usize>,
+    /// Bodies without a declared start that a drive turns, and those that keep the orientation of such a body.
+    driven: BTreeSet<usize>,
     /// Angles between triads.
     angles: Vec<(Triad, Triad, Expr)>,
     /// Displacements along lines that place a body, by number of the quantity.
@@ -98,6 +100,7 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena, free_speeds: FreeSpeeds) 
         started: BTreeMap::new(),
         origins: BTreeMap::new(),
         placed: BTreeSet::new(),
+        driven: BTreeSet::new(),
         angles: Vec::new(),
         displacements: Lookup::default(),
         further_angles: BTreeMap::new(),
@@ -141,6 +144,7 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena, free_speeds: FreeSpeeds) 
         off_starts,
         further_angles,
         has_opposed: forest.has_opposed,
+        driven: forest.driven,
     }
 }
 

@@ -34,8 +34,14 @@ impl Forest<'_> {
         if by_place.is_some() {
             self.placed.insert(body);
         }
-        let start = by_place.or_else(|| self.start_angle(one, two));
-        let angle = start.unwrap_or_else(|| self.arena.integer(0));
+        let by_drive = if by_place.is_some() || self.has_orientation(body) { None } else { self.driven_angle(one, two) };
+        if by_drive.is_some() {
+            self.driven.insert(body);
+        }
+        // Nothing says how a body without a declared orientation is turned against one that is driven.
+        let is_told = self.has_orientation(body) || !inner.body.is_some_and(|from| self.driven.contains(&from));
+        let start = if is_told { by_place.or_else(|| self.start_angle(one, two)) } else { by_place };
+        let angle = by_drive.or(start).unwrap_or_else(|| self.arena.integer(0));
         let angle = against(self, angle);
         self.note_start(inner, outer, Some(angle));
         let (number, unknown) = self.unknown(body, Role::Angle, start, Some((joint, "angle")));

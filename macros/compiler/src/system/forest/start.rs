@@ -1,7 +1,7 @@
 //! Start values of the unknowns, by the declared start of the bodies.
 
 use super::{Forest, Started};
-use crate::expr::{Arena, Binary, Expr, Leaf, Substitution, Triple, combination, dot};
+use crate::expr::{Arena, Binary, Expr, Leaf, Mark, Node, Substitution, Triple, combination, dot};
 use crate::geometry::rotation;
 use crate::model::{Facing, JointQuantity, Place, Relationship, Triad};
 use crate::quantity::{Ambient, Role};
@@ -36,10 +36,10 @@ impl Forest<'_> {
         }
     }
 
-    /// The same, but by its joints only if the body turns to its declared place: without places, angles at the start are those between
-    /// declared orientations.
+    /// The same, but by its joints only if the body turns to its declared place or to where a drive has it: without these, angles at the
+    /// start are those between declared orientations.
     fn placed_at_start(&mut self, place: Place) -> Triple {
-        let is_placed = place.body.is_some_and(|body| self.placed.contains(&body));
+        let is_placed = place.body.is_some_and(|body| self.placed.contains(&body) || self.driven.contains(&body));
         if is_placed { self.hinged_at_start(place) } else { self.at_start(place) }
     }
 
@@ -98,6 +98,26 @@ impl Forest<'_> {
     pub(super) fn declared_angle(&mut self, one: Triad, two: Triad) -> Option<Expr> {
         let opposite = self.declared_start(JointQuantity::Angle(two, one));
         self.declared_start(JointQuantity::Angle(one, two)).or_else(|| opposite.map(|start| self.arena.neg(start)))
+    }
+
+    /// Angle of the second triad against the first at t = 0, if a drive or a freedom prescribes it alone.
+    pub(super) fn driven_angle(&mut self, one: Triad, two: Triad) -> Option<Expr> {
+        let model = self.model;
+        let prescribed = model.joints.iter().filter(|joint| joint.is_drive).flat_map(|joint| &joint.residuals);
+        prescribed.filter(|residual| !residual.is_velocity).find_map(|residual| {
+            let Node::Binary(Binary::Sub, angle, law) = *self.arena.node(residual.expr) else { return None };
+            let Node::Marked { mark: Mark::OfJoint(number), .. } = *self.arena.node(angle) else { return None };
+            let mut at_start = Substitution::new();
+            at_start.replace(Leaf::Time, self.arena.integer(0));
+            let law = at_start.of(self.arena, law);
+            let is_fixed = self.arena.leaves(law).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_)));
+            match model.space.quantities[number as usize].0 {
+                _ if !is_fixed => None,
+                quantity if quantity == JointQuantity::Angle(one, two) => Some(law),
+                quantity if quantity == JointQuantity::Angle(two, one) => Some(self.arena.neg(law)),
+                _ => None,
+            }
+        })
     }
 
     /// Starts a body that a line in ground guides, or that carries a line through a point of ground, at a displacement, unless its place is
@@ -187,10 +207,13 @@ impl Forest<'_> {
         let mut axes = inner.axes.map(|axis| self.hinged_at_start(Place { body: inner.body, local: axis }));
         match angle {
             Some(angle) => axes = self.about(angle, axes),
-            None if inner.body.is_some_and(|from| self.placed.contains(&from)) => {
-                self.placed.insert(body);
+            None => {
+                for bodies in [&mut self.placed, &mut self.driven] {
+                    if inner.body.is_some_and(|from| bodies.contains(&from)) {
+                        bodies.insert(body);
+                    }
+                }
             }
-            None => {}
         }
         let columns = self.columns(outer, axes);
         self.started.insert(body, Started { columns, inner, outer, is_hinged: angle.is_some() });
