@@ -9,7 +9,7 @@
 use super::assemblies::Alone;
 use super::order::{Assembled, Upstream};
 use super::reduced::Reduced;
-use crate::expr::{Expr, Values, evaluate};
+use crate::expr::{Expr, Values, evaluate, magnitudes};
 use crate::numeric::Numeric;
 use crate::numeric::search::{Distance, compare};
 use crate::structure::Structure;
@@ -19,6 +19,10 @@ use std::collections::BTreeMap;
 
 /// Largest residual of a checked equation, divided by its largest derivative, in rad and characteristic lengths.
 const HOLDS: f64 = 1e-6;
+
+/// Largest residual of a checked equation without slopes at an assembly, as a fraction of its terms: that of axes that other joints keep parallel,
+/// for example, is nothing but rounding.
+const ROUNDING: f64 = 1e4 * f64::EPSILON;
 
 /// Largest number of choices.
 const MOST: usize = 20_000;
@@ -58,15 +62,17 @@ impl Numeric<'_> {
 
     /// True if the equations that are checked instead of solved hold.
     pub(super) fn is_as_checked(&self, structure: &Structure, q: &[f64]) -> bool {
-        let values = Values { coordinates: q, ..self.known };
+        let known = Values { coordinates: q, ..self.known };
         structure.checked.iter().all(|equation| {
             let equation = &self.system.equations[*equation];
             let roots: Vec<Expr> = equation.phi().into_iter().chain(equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
-            let values = evaluate(&self.system.arena, &roots, &values);
+            let values = evaluate(&self.system.arena, &roots, &known);
             let Some((phi, slopes)) = values.split_first() else { return true };
             let steps = slopes.iter().zip(&equation.jacobian).map(|(slope, (unknown, _))| (slope * self.scale(*unknown)).abs());
+            let holds = phi.abs() <= HOLDS * steps.fold(0.0, f64::max);
             // A row that is NaN here is ignored.
-            phi.is_nan() || phi.abs() <= HOLDS * steps.fold(0.0, f64::max)
+            let is_rounding = || magnitudes(&self.system.arena, &roots[..1], &known).iter().all(|size| phi.abs() <= ROUNDING * size);
+            holds || phi.is_nan() || is_rounding()
         })
     }
 
