@@ -6,6 +6,7 @@ mod bricard;
 mod conserved;
 mod derivatives;
 mod events;
+mod far;
 mod flat;
 mod forces;
 mod gears;

@@ -29,6 +29,15 @@ pub trait Dynamics<T: Scalar, const N: usize, const I: usize, const M: usize, co
     /// If there are any: the dimension of each equation at t = 0, as a power of a length.
     const POWERS: [u8; R] = [0; R];
 
+    /// The mechanism with parameters between the declared defaults (λ = 0) and these (λ = 1); `None` if there are no parameters, or they are the
+    /// defaults.
+    fn interpolated(&self, _lambda: T) -> Option<Self>
+    where
+        Self: Sized,
+    {
+        None
+    }
+
     /// Φ, J and ν.
     fn constraints(&self, q: &SVector<T, N>, t: T) -> Constraints<T, M, I>;
 

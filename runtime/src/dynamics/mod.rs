@@ -16,6 +16,7 @@
 //! 7. `sweep`: states at given times, between the ends of steps by `dense`.
 
 mod accelerate;
+mod assemble;
 mod checks;
 mod dense;
 mod equations;

@@ -72,6 +72,17 @@ impl<T, const M: usize, const I: usize> Pivots<T, M, I> {
         pivots.fold(T::of(1.0), |smallest, ((pivot, length), size)| least(smallest, *pivot * *length / size))
     }
 
+    /// Whether the determinant is above zero; `None` if there are fewer pivots than unknowns.
+    pub(super) fn sign(&self) -> Option<bool> {
+        let is_odd = |order: &[usize]| {
+            let inversions = order.iter().enumerate().map(|(place, one)| order.iter().skip(place).filter(|other| *other < one).count());
+            inversions.sum::<usize>() % 2 == 1
+        };
+        let rows = self.rows.get(..I).filter(|_| self.count == I)?;
+        let below = self.signs.iter().take(I).filter(|is_above| !**is_above).count();
+        Some((below % 2 == 1) == (is_odd(rows) != is_odd(&self.unknowns)))
+    }
+
     /// True if both have the same order, and pivots of the same signs.
     pub(super) fn agree_with(&self, other: &Self) -> bool {
         self.count == other.count && self.rows == other.rows && self.unknowns == other.unknowns && self.signs == other.signs

@@ -3,9 +3,9 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::accelerate::{eliminated, lengths, redundant, singular};
+use super::assemble::assemble;
 use super::checks::{holds, unit_of};
 use super::equations::{Constraints, Dynamics};
-use super::integrator::least;
 use super::partition::{ABOUT_AS_GOOD, Partition, Pivots, WORSE};
 use super::places::{is_finite, largest, moved, picked, put};
 use super::stopped::Stopped;
@@ -39,7 +39,7 @@ where
 }
 
 /// The same for given equations.
-fn project_onto<T, S, const N: usize, const I: usize, const M: usize, const R: usize, const K: usize>(
+pub(super) fn project_onto<T, S, const N: usize, const I: usize, const M: usize, const R: usize, const K: usize>(
     mechanism: &S,
     known: Option<&Pivots<T, K, I>>,
     state: (&mut SVector<T, N>, &mut SVector<T, N>),
@@ -122,7 +122,7 @@ impl<T> Open<T> {
 }
 
 /// The row that is open furthest, and its residual; the first one whose residual is not a number.
-fn gap<T: Scalar, const K: usize, const I: usize>(here: &Constraints<T, K, I>, counts: &[bool; K]) -> (usize, T) {
+pub(super) fn gap<T: Scalar, const K: usize, const I: usize>(here: &Constraints<T, K, I>, counts: &[bool; K]) -> (usize, T) {
     let mut gap = (0, T::ZERO);
     for (row, (phi, _)) in here.phi.iter().zip(counts).enumerate().filter(|(_, (_, counts))| **counts) {
         let size = phi.abs();
@@ -135,56 +135,12 @@ fn gap<T: Scalar, const K: usize, const I: usize>(here: &Constraints<T, K, I>, c
 }
 
 /// For each of the first equations whether it counts between positions, and for each whether it counts between speeds.
-fn levels<const R: usize, const K: usize>(levels: &[[bool; 2]; R]) -> [[bool; K]; 2] {
+pub(super) fn levels<const R: usize, const K: usize>(levels: &[[bool; 2]; R]) -> [[bool; K]; 2] {
     let (mut of_positions, mut of_speeds) = ([false; K], [false; K]);
     for ((of_positions, of_speeds), levels) in of_positions.iter_mut().zip(&mut of_speeds).zip(levels) {
         [*of_positions, *of_speeds] = *levels;
     }
     [of_positions, of_speeds]
-}
-
-/// A step on the way to the initial values is short enough if no coordinate moves farther, in rad or lengths.
-const FAR: f64 = 0.25;
-
-/// Parts of the way to the initial values: none is shorter than one by this.
-const SHORTEST: f64 = 1.0 / 4096.0;
-
-/// Moves a place from the declared start to the initial values. Where that is far, the residuals are taken away in parts, so that the
-/// assembly is the one to which the declared start leads; where they cannot be, at once.
-fn assemble<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
-    mechanism: &S,
-    (q, qd): (&mut SVector<T, N>, &mut SVector<T, N>),
-) -> Result<(), Open<T>>
-where
-    T: Scalar,
-    S: Dynamics<T, N, I, M, R>,
-{
-    let lengths = lengths(mechanism);
-    let (declared, open) = (*q, mechanism.initial(q, T::ZERO).phi);
-    // The equations after a part of the way: the rest of the residuals at the declared start is left open.
-    let at = |part: T| {
-        move |q: &SVector<T, N>| {
-            let here = mechanism.initial(q, T::ZERO);
-            Constraints { phi: SVector::from(moved(&here.phi.data.0[0], part - T::of(1.0), &open.data.0[0])), ..here }
-        }
-    };
-    let (mut done, mut part) = (T::ZERO, T::of(1.0));
-    while done < T::of(1.0) && part >= T::of(SHORTEST) {
-        let next = least(done + part, T::of(1.0));
-        let (mut place, mut speeds) = (*q, *qd);
-        let found = project_onto(mechanism, None, (&mut place, &mut speeds), at(next));
-        let [before, after] = [&*q, &place].map(|place| picked(place, &S::INTEGRATED));
-        if found.is_ok() && largest(&moved(&after, T::of(-1.0), &before), &lengths) <= T::of(FAR) {
-            (*q, *qd, done, part) = (place, speeds, next, part * T::of(2.0));
-        } else {
-            part = part * T::of(0.5);
-        }
-    }
-    if done == T::of(1.0) {
-        return Ok(());
-    }
-    *q = declared;
-    project_onto(mechanism, None, (q, qd), at(T::of(1.0))).map(|_| ())
 }
 
 /// The state at t = 0, at the initial values of the freedoms.

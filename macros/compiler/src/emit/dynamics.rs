@@ -18,12 +18,13 @@ impl Emitter<'_> {
         let name = &self.model.name;
         let [n, i, m, r] = self.sizes_of(code).map(number);
         let (functions, constants) = (self.functions_of_motion(code), self.constants_of_motion(code));
-        let (methods, hash, allowed) = (self.methods_of_motion(), self.parameter_hash(), allowed());
+        let (methods, hash, toward, allowed) = (self.methods_of_motion(), self.parameter_hash(), self.toward(), allowed());
         quote! {
             #allowed
             impl<T: ::reuleaux::Scalar> ::reuleaux::Dynamics<T, #n, #i, #m, #r> for #name<T> {
                 #constants
                 #functions
+                #toward
                 fn parameter_hash(&self) -> ::core::primitive::u64 { #hash }
             }
             #allowed

@@ -99,7 +99,7 @@ impl Emitter<'_> {
     }
 
     /// Parameters between the defaults and these
-    fn toward(&self) -> TokenStream {
+    pub(super) fn toward(&self) -> TokenStream {
         if self.model.parameters.is_empty() {
             return quote!();
         }

@@ -1,0 +1,173 @@
+//! From the declared start to the initial values of freedoms and to other parameters than the declared ones.
+//!
+//! The branch of the declared start is followed along λ ↦ defaults + λ (parameters − defaults), as in kinematics: from each place to the next one by
+//! the tangent and Newton's method. If the branch ends on the way, an assembly with the same sign of det J is taken, or none. Defaults that do not
+//! close are placeholders: then the residuals at the declared start are taken away in parts, and where they cannot be, at once.
+
+use nalgebra::SVector;
+
+use super::accelerate::{lengths, redundant};
+use super::equations::{Constraints, Dynamics};
+use super::integrator::least;
+use super::partition::Partition;
+use super::places::{largest, moved, picked, put};
+use super::project::{Open, gap, levels, project_onto};
+use crate::number::Scalar;
+
+/// A step is short enough if no coordinate moves farther, in rad or lengths.
+const FAR: f64 = 0.25;
+
+/// A step along the tangent ends at most so far beside it, in rad or lengths, and as a fraction of the step.
+const BESIDE: [f64; 2] = [0.02, 0.1];
+
+/// Longest step along the tangent, in rad or lengths.
+const LONGEST: f64 = 1.0;
+
+/// Beyond the end of a branch no coordinate moves farther, in rad or lengths.
+const TURNED: f64 = core::f64::consts::PI;
+
+/// Most steps, taken or not.
+const MOST: usize = 50_000;
+
+/// Parts of the way: none is shorter than one by this.
+const SHORTEST: f64 = 1.0 / 4096.0;
+
+/// The same along the tangent.
+const SHORTEST_STEP: f64 = 1e-9;
+
+/// Moves a place from the declared start to the initial values and the parameters, and sets its speeds.
+pub(super) fn assemble<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    (q, qd): (&mut SVector<T, N>, &mut SVector<T, N>),
+) -> Result<(), Open<T>>
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    if let Some(defaults) = mechanism.interpolated(T::ZERO) {
+        let (mut origin, mut speeds) = (*q, *qd);
+        let closes = project_onto(&defaults, None, (&mut origin, &mut speeds), |q| defaults.initial(q, T::ZERO)).is_ok();
+        let [from, to] = [&*q, &origin].map(|place| picked(place, &S::INTEGRATED));
+        if closes && largest(&moved(&to, T::of(-1.0), &from), &lengths(mechanism)) <= T::of(FAR) {
+            return follow(mechanism, &origin, (q, qd));
+        }
+    }
+    let declared = *q;
+    if in_parts(mechanism, (q, qd)) {
+        return Ok(());
+    }
+    *q = declared;
+    project_onto(mechanism, None, (q, qd), |q| mechanism.initial(q, T::ZERO)).map(|_| ())
+}
+
+/// Follows the branch from a place at the defaults.
+///
+/// * `q`: given, the declared start; returned, the place at the parameters.
+fn follow<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    origin: &SVector<T, N>,
+    (q, qd): (&mut SVector<T, N>, &mut SVector<T, N>),
+) -> Result<(), Open<T>>
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let one = T::of(1.0);
+    let (lengths, start) = (lengths(mechanism), *q);
+    let side = mechanism.interpolated(T::ZERO).and_then(|defaults| side_of(&defaults, origin));
+    let (mut here, mut slope, mut reached, mut step) = (*origin, [T::ZERO; I], T::ZERO, one);
+    for _ in 0..MOST {
+        let next = least(reached + step, one);
+        let by = next - reached;
+        let between = if next < one { mechanism.interpolated(next) } else { None };
+        let at = between.as_ref().unwrap_or(mechanism);
+        let before = picked(&here, &S::INTEGRATED);
+        let predicted = moved(&before, by, &slope);
+        let (mut place, mut speeds) = (here, *qd);
+        put(&mut place, &S::INTEGRATED, &predicted);
+        let found = project_onto(at, None, (&mut place, &mut speeds), |q| at.initial(q, T::ZERO));
+        let after = picked(&place, &S::INTEGRATED);
+        let [way, beside] = [&before, &predicted].map(|from| largest(&moved(&after, -one, from), &lengths));
+        let is_short = way <= T::of(LONGEST) && beside <= T::of(BESIDE[0]) + T::of(BESIDE[1]) * way;
+        if found.is_ok() && is_short && side_of(at, &place) == side {
+            slope = moved(&after, -one, &before).map(|change| change / by);
+            (here, reached, step) = (place, next, step + step);
+            if next == one {
+                (*q, *qd) = (place, speeds);
+                return Ok(());
+            }
+        } else {
+            step = T::of(0.5) * by;
+        }
+        if step < T::of(SHORTEST_STEP) {
+            break;
+        }
+    }
+    let mut accepts = |place: SVector<T, N>, speeds: SVector<T, N>| {
+        let is_same = side.is_some() && side_of(mechanism, &place) == side;
+        if is_same {
+            (*q, *qd) = (place, speeds);
+        }
+        is_same
+    };
+    for guess in [here, start] {
+        let (mut place, mut speeds) = (guess, SVector::from_element(T::ZERO));
+        let found = project_onto(mechanism, None, (&mut place, &mut speeds), |q| mechanism.initial(q, T::ZERO));
+        let [from, to] = [&guess, &place].map(|place| picked(place, &S::INTEGRATED));
+        if found.is_ok() && largest(&moved(&to, -one, &from), &lengths) <= T::of(TURNED) && accepts(place, speeds) {
+            return Ok(());
+        }
+    }
+    let (mut place, mut speeds) = (start, SVector::from_element(T::ZERO));
+    if in_parts(mechanism, (&mut place, &mut speeds)) && accepts(place, speeds) {
+        return Ok(());
+    }
+    let [of_positions, _] = levels(&S::LEVELS);
+    let (row, residual) = gap(&mechanism.initial(&here, T::ZERO), &of_positions);
+    Err(Open::Residual(row, residual))
+}
+
+/// The sign of det J, which two assemblies have opposite that meet where a branch ends; `None` if joints are redundant, or J is not regular.
+fn side_of<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(mechanism: &S, q: &SVector<T, N>) -> Option<bool>
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let [of_positions, _] = levels(&S::LEVELS);
+    let jacobian = mechanism.initial(q, T::ZERO).jacobian;
+    let parts = Partition::new(&jacobian, &SVector::from_element(T::ZERO), &lengths(mechanism), &of_positions, &redundant(mechanism));
+    parts.ok().filter(|_| S::REDUNDANT == 0).and_then(|parts| parts.pivots.sign())
+}
+
+/// Takes the residuals at the declared start away in parts; true if that succeeds.
+fn in_parts<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    (q, qd): (&mut SVector<T, N>, &mut SVector<T, N>),
+) -> bool
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let lengths = lengths(mechanism);
+    let open = mechanism.initial(q, T::ZERO).phi;
+    // The equations after a part of the way: the rest of the residuals at the declared start is left open.
+    let at = |part: T| {
+        move |q: &SVector<T, N>| {
+            let here = mechanism.initial(q, T::ZERO);
+            Constraints { phi: SVector::from(moved(&here.phi.data.0[0], part - T::of(1.0), &open.data.0[0])), ..here }
+        }
+    };
+    let (mut done, mut part) = (T::ZERO, T::of(1.0));
+    while done < T::of(1.0) && part >= T::of(SHORTEST) {
+        let next = least(done + part, T::of(1.0));
+        let (mut place, mut speeds) = (*q, *qd);
+        let found = project_onto(mechanism, None, (&mut place, &mut speeds), at(next));
+        let [before, after] = [&*q, &place].map(|place| picked(place, &S::INTEGRATED));
+        if found.is_ok() && largest(&moved(&after, T::of(-1.0), &before), &lengths) <= T::of(FAR) {
+            (*q, *qd, done, part) = (place, speeds, next, part * T::of(2.0));
+        } else {
+            part = part * T::of(0.5);
+        }
+    }
+    done == T::of(1.0)
+}

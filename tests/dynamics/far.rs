@@ -1,0 +1,103 @@
+//! Initial states at parameters far from the declared ones.
+
+use reuleaux::mechanism;
+
+mechanism! {
+    /// A four-bar whose crank is released.
+    #[closure(start)]
+    mechanism Released {
+        param angle: Angle = 0.3rad;
+        param crank_length: Length = 0.1m;
+        param coupler_length: Length = 0.35m;
+        param rocker_length: Length = 0.3m;
+        param ground_length: Length = 0.4m;
+        ground { point C = (ground_length, 0mm); }
+        body crank { point A = (crank_length, 0mm); mass = 1kg; inertia = 0.1kgm2; }
+        body coupler { point B = (coupler_length, 0mm); }
+        body rocker { point B = (rocker_length, 0mm); start angle = 100deg; }
+        joint o = revolute(ground.position, crank.position);
+        joint c = revolute(ground.C, rocker.position);
+        joint b = revolute(coupler.B, rocker.B);
+        joint a = revolute(crank.A, coupler.position);
+        freedom turn = crank.angle from angle;
+    }
+}
+
+mechanism! {
+    /// The same, driven.
+    #[closure(start)]
+    mechanism Driven {
+        param angle: Angle = 0.3rad;
+        param crank_length: Length = 0.1m;
+        param coupler_length: Length = 0.35m;
+        param rocker_length: Length = 0.3m;
+        param ground_length: Length = 0.4m;
+        ground { point C = (ground_length, 0mm); }
+        body crank { point A = (crank_length, 0mm); }
+        body coupler { point B = (coupler_length, 0mm); }
+        body rocker { point B = (rocker_length, 0mm); start angle = 100deg; }
+        joint o = revolute(ground.position, crank.position);
+        joint c = revolute(ground.C, rocker.position);
+        joint b = revolute(coupler.B, rocker.B);
+        joint a = revolute(crank.A, coupler.position);
+        drive turn = drive_angle(crank, angle + 1rad_s * t);
+    }
+}
+
+/// Angles of coupler and rocker by either; `None` if it is refused.
+fn both([angle, crank_length, coupler_length, rocker_length, ground_length]: [f64; 5]) -> [Option<[f64; 2]>; 2] {
+    let released = Released { angle, crank_length, coupler_length, rocker_length, ground_length }.initial_state();
+    let driven = Driven { angle, crank_length, coupler_length, rocker_length, ground_length }.solve(0.0);
+    [
+        released.ok().map(|state| [state.coupler().angle, state.rocker().angle]),
+        driven.ok().map(|state| [state.coupler().angle, state.rocker().angle]),
+    ]
+}
+
+/// Along the line from the defaults, the tip of the rocker stays on one side of the line from the crank's pin to the rocker's pivot, as long as that is
+/// neither longer than coupler and rocker together nor shorter than their difference.
+#[test]
+fn parameters_far_away_keep_the_assembly_of_the_start() {
+    for parameters in [
+        [-7.5412, 0.2086, 0.4462, 0.3068, 0.5655],
+        [-4.0, 0.1719, 0.39, 0.1886, 0.3929],
+        [-5.3555, 0.2266, 0.3535, 0.3856, 0.574],
+        [3.3825, 0.2058, 0.3141, 0.2898, 0.3992],
+        [-7.2, 0.085, 0.29, 0.17, 0.45],
+        [2500.0, 0.1, 0.35, 0.3, 0.4],
+    ] {
+        let [angle, crank, coupler, rocker, ground]: [f64; 5] = parameters;
+        let (x, y) = (ground - crank * angle.cos(), -crank * angle.sin());
+        let line = x.hypot(y);
+        // At the pivot, between the line to the pin and the rocker. The rocker is turned to the right of it, seen from the pivot.
+        let between = ((rocker * rocker + line * line - coupler * coupler) / (2.0 * rocker * line)).acos();
+        let right = (-y).atan2(-x) - between;
+        let [found, _] = both(parameters);
+        let Some([_, found]) = found else { panic!("{parameters:?}: it closes all the way") };
+        assert!(((found - right) / 2.0).sin().abs() < 1e-9, "{parameters:?}: {found}, not {right}");
+    }
+}
+
+/// A drive finds its start by another way. Where the branch ends on the line from the defaults, either may find an assembly on the same side beyond.
+#[test]
+fn released_and_driven_mechanisms_start_alike_at_any_parameters() {
+    let mut random = fastrand::Rng::with_seed(20);
+    let (mut same, mut refused, mut driven_only) = (0, 0, 0);
+    for _ in 0..150 {
+        let turns = [4.0, 20.0, 80.0][random.usize(0..3)];
+        let mut within = |low: f64, high: f64| low + (high - low) * random.f64();
+        let parameters = [within(-turns, turns), within(0.05, 0.25), within(0.2, 0.5), within(0.15, 0.45), within(0.25, 0.6)];
+        match both(parameters) {
+            [Some(released), Some(driven)] => {
+                let apart = [0, 1].map(|k| ((released[k] - driven[k]) / 2.0).sin().abs());
+                assert!(apart.iter().all(|apart| *apart < 1e-6), "{parameters:?}: {released:?}, not {driven:?}");
+                same += 1;
+            }
+            [None, None] => refused += 1,
+            [None, Some(_)] => driven_only += 1,
+            [Some(released), None] => panic!("{parameters:?}: released {released:?}"),
+        }
+    }
+    println!("{same} the same, {refused} refused, {driven_only} found by the drive only");
+    assert!(same > 90 && refused > 10 && driven_only < 25, "{same} {refused} {driven_only}");
+}
