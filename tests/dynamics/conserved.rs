@@ -255,6 +255,15 @@ fn what_is_not_a_number_stops_a_motion() {
         let mut steps = Integrator { longest: -bad.abs(), ..Integrator::new(1e-9) };
         assert!(matches!(mechanism.advance(&mut good.clone(), 1.0, &mut steps), Err(Stopped::BadIntegrator { field: "longest", .. })));
     }
+    for bad in [f64::NAN, f64::INFINITY] {
+        let steps = [Integrator { step: bad, ..Integrator::new(1e-9) }, Integrator { fastest: bad, ..Integrator::new(1e-9) }];
+        for (mut integrator, wanted) in steps.into_iter().zip(["step", "fastest"]) {
+            let stopped = mechanism.advance(&mut good.clone(), 1.0, &mut integrator).expect_err("no number");
+            assert!(matches!(stopped, Stopped::BadIntegrator { field, .. } if field == wanted), "{stopped}");
+        }
+        let mut stiff = Integrator { step: bad, ..Integrator::stiff(1e-6) };
+        assert!(matches!(mechanism.advance(&mut good.clone(), 1.0, &mut stiff), Err(Stopped::BadIntegrator { field: "step", .. })));
+    }
     let mut few = Integrator { most: 2, ..Integrator::new(1e-9) };
     assert!(matches!(mechanism.advance(&mut good.clone(), 10.0, &mut few), Err(Stopped::TooManySteps { .. })));
 }

@@ -206,3 +206,29 @@ fn a_contact_that_does_not_fit_is_refused_on_such_a_cam() {
         assert!(matches!(failure.cause, reuleaux::Cause::DoesNotHold { .. }), "{failure}");
     }
 }
+
+mechanism! {
+    /// A cam whose rise, and so its last dwell, is a parameter.
+    mechanism Varied {
+        param up: Angle = 120deg;
+        param high: Length = 12mm;
+        function lift(psi: Angle) -> Length =
+            segments(psi, 40mm, [rise(high, up, modified_sine), rise(5mm, 30deg, cycloidal), fall(high + 5mm, 120deg, cycloidal), dwell(210deg - up)], periodic);
+        body cam { }
+        body slide { }
+        joint axle = revolute(ground.position, cam.position);
+        joint guide = translational((0, 1), (0mm, 0mm), slide.position);
+        joint contact = { slide.y == lift(cam.angle); }
+        drive motor = drive_angle(cam, 60rpm * t);
+    }
+}
+
+/// Durations fill a turn up to rounding, which is much more in single precision.
+#[test]
+fn programs_with_parameters_are_accepted_in_single_precision() {
+    for k in 0..500 {
+        let (up, high) = (0.1 + 0.007 * k as f32, 0.001 + 0.000_013 * k as f32);
+        let state = Varied::<f32> { up, high }.solve(0.0).unwrap_or_else(|failure| panic!("{up} {high}: {failure}"));
+        assert!((state.slide().position.y - 0.04).abs() < 1e-6);
+    }
+}

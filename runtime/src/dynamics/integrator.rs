@@ -103,7 +103,12 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
         S: Dynamics<T, N, I, M, R>,
     {
         let has_tolerance = self.tolerance > T::ZERO && self.tolerance.is_finite();
-        for (field, value, is_good) in [("tolerance", self.tolerance, has_tolerance), ("longest", self.longest, self.longest > T::ZERO)] {
+        for (field, value, is_good) in [
+            ("tolerance", self.tolerance, has_tolerance),
+            ("longest", self.longest, self.longest > T::ZERO),
+            ("step", self.step, self.step.is_finite()),
+            ("fastest", self.fastest, self.fastest.is_finite()),
+        ] {
             if !is_good {
                 return Err(Stopped::BadIntegrator { field, value });
             }

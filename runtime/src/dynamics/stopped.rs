@@ -60,9 +60,10 @@ pub enum Stopped<T> {
         /// Time in s.
         time: T,
     },
-    /// The tolerance of the integrator is not above zero or not finite, or its longest step is not above zero.
+    /// The tolerance of the integrator is not above zero or not finite, its longest step is not above zero, or its next step or its largest speed
+    /// is not finite.
     BadIntegrator {
-        /// `tolerance` or `longest`.
+        /// `tolerance`, `longest`, `step` or `fastest`.
         field: &'static str,
         /// Its value.
         value: T,
@@ -105,7 +106,10 @@ impl<T: Scalar + Display> Display for Stopped<T> {
                     "at t = {time} s no step is short enough for the tolerance: the motion is not smooth there, or the tolerance below rounding errors"
                 )
             }
-            Stopped::BadIntegrator { field, value } => write!(f, "the integrator's `{field}` is {value}: it has to be a positive number"),
+            Stopped::BadIntegrator { field, value } => {
+                let wanted = if ["tolerance", "longest"].contains(field) { "positive" } else { "finite" };
+                write!(f, "the integrator's `{field}` is {value}: it has to be a {wanted} number")
+            }
             Stopped::TooManySteps { time } => write!(f, "the steps of one call end at t = {time} s"),
             Stopped::ParameterOutOfRange(ParameterOutOfRange { name, value, unit, why }) => {
                 let space = if unit.is_empty() { "" } else { " " };

@@ -12,7 +12,7 @@ impl fmt::Display for Measure {
             "m" if value.abs() < 10.0 => (value * 1e3, " mm"),
             "m" => (value, " m"),
             "rad" => (value.to_degrees(), "°"),
-            "" => return write!(f, "{value:.2e}"),
+            "" | "1" => return write!(f, "{value:.2e}"),
             _ => return write!(f, "{value:.2e} {unit}"),
         };
         if shown != 0.0 && !(1e-3..1e6).contains(&shown.abs()) {

@@ -284,10 +284,10 @@ fn require(work: &mut impl Valuer, program: &Program) {
     }
 }
 
-/// |off| ≤ 10⁻⁹ size
+/// |off| ≤ 10⁻⁶ size, which is more than single precision rounds.
 fn near_zero(work: &mut impl Valuer, range: Range, off: Expr, size: Expr, dim: Dim, why: &str) {
     let arena = work.arena();
-    let (off, share) = (arena.unary(Unary::Abs, off), arena.constant(Exact::ratio(1, 1_000_000_000).unwrap_or(Exact::ONE)));
+    let (off, share) = (arena.unary(Unary::Abs, off), arena.constant(Exact::ratio(1, 1_000_000).unwrap_or(Exact::ONE)));
     let limit = arena.mul(share, size);
     state(work, range, [off, limit], Relation::LessOrEqual, dim, why);
 }
