@@ -3,7 +3,6 @@
 use reuleaux::mechanism;
 
 mechanism! {
-    #[allow(far_start)]
     /// A four-bar of hinges whose links lie askew in the frames of their bodies.
     pub(crate) mechanism Askew in space {
         ground { axis z = (0, 0, 1) from (1, 0, 0);  point D = (150mm, 0mm, 0mm); }
@@ -11,12 +10,13 @@ mechanism! {
         body coupler { axis z = (2, 1, 2) from (1, 0, -1);  point C = (100mm, 0mm, -100mm); }
         body rocker  {
             axis z = (1, 2, 2) from (0, 1, -1);  point C = (0mm, 100mm, -100mm);
-            start position = (150mm, 0mm, 0mm);  start orientation = turn((0, 0, 1), 100deg);
+            start position = (150mm, 0mm, 0mm);
         }
         redundant joint a = revolute(ground.position, ground.z, crank.position, crank.z);
         joint b = revolute(crank.B, crank.z, coupler.position, coupler.z);
         joint c = revolute(coupler.C, coupler.z, rocker.C, rocker.z);
         joint d = revolute(ground.D, ground.z, rocker.position, rocker.z);
+        start d.angle = 100deg;
         drive motor = drive_rotation(a, 60rpm * t);
         output pin = rocker.C;
     }

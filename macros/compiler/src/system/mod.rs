@@ -313,7 +313,7 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
     let mut equations = derivatives.of_all(&mut arena, &rows);
     let of_speeds = derivatives.of_all(&mut arena, &of_speeds);
     if !of_speeds.is_empty() {
-        rows = pins::pins(model, &mut arena, &coordinates, &equations);
+        rows = pins::pins(model, &mut arena, &coordinates, [&equations, &of_speeds]);
         equations.extend(derivatives.of_all(&mut arena, &rows));
     }
     let by_spins = is_free.then(|| spins::equations(model, &mut arena, &coordinates, &at_level));

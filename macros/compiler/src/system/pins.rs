@@ -1,5 +1,6 @@
 //! Coordinates that only equations of speeds determine keep their declared start values. One without a declared start keeps 0 if the
-//! mechanism closes there, and otherwise its value in a configuration nearby that satisfies the equations of positions.
+//! mechanism closes there, and otherwise its value in a configuration nearby that satisfies the equations of positions. If nothing closes at
+//! the declared values, they only lead to such a configuration where the unknowns whose rates are freedoms have none.
 
 use super::rows::Row;
 use super::{Coordinate, Equation};
@@ -32,14 +33,16 @@ const SWAYS: [f64; 6] = [0.1, 0.2, 0.3, 0.5, 0.7, 1.0];
 const DAMPING: f64 = 1e-13;
 
 /// Rows that hold the coordinates which the equations leave open at the start; they belong to the last freedom.
-pub(super) fn pins(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], equations: &[Equation]) -> Vec<Row> {
-    let (start, open) = open(model, arena, coordinates, equations);
+///
+/// * `of_speeds`: given, the equations of speeds, with those of freedoms.
+pub(super) fn pins(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], [equations, of_speeds]: [&[Equation]; 2]) -> Vec<Row> {
+    let Open { start, unknowns, keeps_declared } = open(model, arena, coordinates, [equations, of_speeds]);
     let joint = model.joints.len() - 1;
     let first = model.joints[joint].residuals.len();
     let row = |(number, unknown): (usize, usize)| {
         let role = coordinates[unknown].role;
         let leaf = arena.leaf(Leaf::Coordinate(unknown as u32));
-        let nearby = Exact::binary(start[unknown]).filter(|_| !is_declared(model, &coordinates[unknown]));
+        let nearby = Exact::binary(start[unknown]).filter(|_| !keeps_declared || !is_declared(model, &coordinates[unknown]));
         let held = nearby.map(|value| arena.constant(value)).or(coordinates[unknown].start);
         let residual = held.map_or(leaf, |held| arena.sub(leaf, held));
         let dim = match role {
@@ -49,7 +52,17 @@ pub(super) fn pins(model: &Model, arena: &mut Arena, coordinates: &[Coordinate],
         };
         Row { joint, row: first + number, dim, residual, is_velocity: false, is_initial: true }
     };
-    open.into_iter().enumerate().map(row).collect()
+    unknowns.into_iter().enumerate().map(row).collect()
+}
+
+/// What the equations of positions leave open.
+struct Open {
+    /// A configuration near the declared start.
+    start: Vec<f64>,
+    /// The unknowns that Φ_q leaves open there.
+    unknowns: Vec<usize>,
+    /// True if unknowns with a declared start have that value.
+    keeps_declared: bool,
 }
 
 /// True if a start value of a coordinate is declared. In space an angle or a component of a quaternion has one, even if it is 0, where the
@@ -64,8 +77,8 @@ fn is_declared(model: &Model, coordinate: &Coordinate) -> bool {
     }
 }
 
-/// A configuration near the declared start, and the unknowns that Φ_q leaves open there.
-fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], equations: &[Equation]) -> (Vec<f64>, Vec<usize>) {
+fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], [equations, of_speeds]: [&[Equation]; 2]) -> Open {
+    let kept = |(start, unknowns)| Open { start, unknowns, keeps_declared: true };
     let functions = |number: u32, x: f64| tabulated(&model.functions, number, x);
     let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
     let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
@@ -93,22 +106,25 @@ fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], equations: &[E
     };
     let attempts = [held.as_slice(), &[]].into_iter().flat_map(|held| (0..=SWAYS.len()).map(move |attempt| (attempt, held)));
     if let Some(found) = attempts.filter(|_| may_leave_fewer).find_map(fewer) {
-        return found;
+        return kept(found);
     }
     if rows.closed_near(&declared, &open).is_some() {
-        return (declared, open);
+        return kept((declared, open));
     }
-    match rows.closed_near(&declared, &held) {
-        // Declared values are kept, whether the others fit them or not.
-        Some(closed) if held.is_empty() => {
-            let open = rows.open(&closed, &is_declared);
-            (closed, open)
-        }
-        Some(closed) => (closed, open),
+    if let Some(closed) = rows.closed_near(&declared, &held) {
+        let open = if held.is_empty() { rows.open(&closed, &is_declared) } else { open };
+        return kept((closed, open));
+    }
+    // A coordinate whose rate is a freedom is rather held at 0 than another one at a declared start at which nothing closes.
+    let rates: Vec<usize> = of_speeds.iter().filter(|row| row.is_initial && row.jacobian.len() == 1).map(|row| row.jacobian[0].0).collect();
+    let is_rate: Vec<bool> = (0..declared.len()).map(|unknown| rates.contains(&unknown)).collect();
+    let may_be_held = !rates.is_empty() && !rates.iter().any(|unknown| is_declared[*unknown]);
+    match may_be_held.then(|| rows.closed_near(&declared, &rates)).flatten() {
+        Some(closed) => Open { unknowns: rows.open(&closed, &is_rate), start: closed, keeps_declared: false },
         // It does not close, as is said later of its joints; until then its freedoms are counted beside the start.
         None => {
             let beside = may_leave_fewer.then(|| rows.open(&swayed(1), &is_declared));
-            (declared, beside.filter(|beside| beside.len() < open.len()).unwrap_or(open))
+            kept((declared, beside.filter(|beside| beside.len() < open.len()).unwrap_or(open)))
         }
     }
 }
