@@ -457,3 +457,33 @@ fn a_body_that_turns_without_inertia_is_named() {
     let wanted = "at t = 0 s no mass or inertia resists a turning of `stone`; give a body that turns with it an inertia";
     assert_eq!(why, Err(wanted.to_owned()));
 }
+
+mechanism! {
+    /// A body that turns about a point, with products of inertia that are parameters.
+    mechanism Deviating in space {
+        param xy: Inertia = 0kgm2;
+        param xz: Inertia = 0kgm2;
+        param yz: Inertia = 0kgm2;
+        ground { point O = (0m, 0m, 0m); }
+        body top { mass = 2kg; inertia = (0.1kgm2, 0.1kgm2, 0.1kgm2, xy, xz, yz); }
+        joint pivot = spherical(ground.O, top.position);
+        freedom spin = top.angular_velocity from (0rad_s, 1rad_s, 0rad_s);
+    }
+}
+
+/// tr(I) − 2 I has the eigenvalues 0.1 and 0.1 ± 2 xy with one product, 0.1 − 4 p and twice 0.1 + 2 p with three equal ones.
+#[test]
+fn impossible_products_of_inertia_are_refused() {
+    let turned = |xy, xz, yz| Deviating { xy, xz, yz }.initial_state().map(|_| ()).map_err(|why| why.to_string());
+    for (one, three) in [(0.0, 0.0), (0.049, 0.024), (0.05, 0.025), (-0.049, -0.049), (-0.05, -0.03)] {
+        assert_eq!(turned(one, 0.0, 0.0), Ok(()), "{one}");
+        assert_eq!(turned(0.0, 0.0, one), Ok(()), "{one}");
+        assert_eq!(turned(three, three, three), Ok(()), "{three}");
+    }
+    for (one, three) in [(0.0501, 0.0251), (-0.0501, -0.0501), (0.2, 0.03), (0.11, 0.2)] {
+        for refused in [turned(one, 0.0, 0.0), turned(0.0, one, 0.0), turned(0.0, 0.0, one), turned(three, three, three)] {
+            let why = refused.expect_err("no such body");
+            assert!(why.contains("no distribution of mass") && why.contains("`top.inertia`"), "{why}");
+        }
+    }
+}

@@ -2,7 +2,7 @@
 
 use super::{Relation, Requirement};
 use crate::diag::ValueFact;
-use crate::expr::{Arena, Expr};
+use crate::expr::{Arena, Expr, Triple};
 use crate::quantity::{Dim, is_inertia};
 
 /// One part in so many of a moment of inertia may be a rounding error.
@@ -43,8 +43,8 @@ impl Mass {
         None
     }
 
-    /// Conditions on the parameters of a mass, for values other than the defaults: nothing is negative, and the second moments along the axes of
-    /// the body are not either.
+    /// Conditions on the parameters of a mass, for values other than the defaults: nothing is negative, and the second moments ∫ x xᵀ dm are
+    /// positive semidefinite.
     pub(crate) fn requirements(&self, arena: &mut Arena, body: &str) -> Vec<Requirement> {
         let rhs = arena.integer(0);
         let require = |lhs, dim, what, why: &str| {
@@ -55,7 +55,7 @@ impl Mass {
             self.mass.iter().map(|mass| require(*mass, Dim::MASS, "mass", "a mass must not be negative")).collect();
         match self.inertia.as_deref() {
             Some([about_z]) => found.push(require(*about_z, Dim::INERTIA, "inertia", "an inertia must not be negative")),
-            Some([xx, yy, zz, ..]) => {
+            Some([xx, yy, zz, products @ ..]) => {
                 // Rounding errors may exceed the bound, on which thin plates and rods lie, also those of `f32`.
                 let [almost_all, all] = [ALL - 1, ALL].map(|number| arena.integer(number));
                 let share = arena.div(almost_all, all);
@@ -64,6 +64,9 @@ impl Mass {
                     let rest = arena.sub(sum, third);
                     found.push(require(rest, Dim::INERTIA, "inertia", "two moments of inertia less the third must not be negative"));
                 }
+                let why = "no distribution of mass has these moments and products of inertia";
+                let each = minors(arena, [*xx, *yy, *zz], products);
+                found.extend(each.into_iter().map(|(minor, dim)| require(minor, dim, "inertia", why)));
             }
             _ => {}
         }
@@ -93,6 +96,38 @@ impl Mass {
         known.mass = sum(arena, known.mass.map(|mass| vec![mass]), self.mass.map(|mass| vec![mass])).map(|sum| sum[0]);
         known.inertia = sum(arena, known.inertia.take(), self.inertia);
     }
+}
+
+/// Principal minors, of two and of three rows, of twice the second moments, tr(I) − 2 I, with what may be rounding added to its diagonal; none
+/// without products of inertia.
+fn minors(arena: &mut Arena, [xx, yy, zz]: Triple, products: &[Expr]) -> Vec<(Expr, Dim)> {
+    let [xy, xz, yz] = products else { return Vec::new() };
+    if products.iter().all(|product| is_zero(arena, *product)) {
+        return Vec::new();
+    }
+    let trace = arena.sum(&[xx, yy, zz]);
+    let all = arena.integer(ALL);
+    let rounding = arena.div(trace, all);
+    let whole = arena.add(trace, rounding);
+    let two = arena.integer(2);
+    let [a, b, c] = [xx, yy, zz].map(|moment| {
+        let twice = arena.mul(two, moment);
+        arena.sub(whole, twice)
+    });
+    let [d, e, f] = [*xy, *xz, *yz].map(|product| arena.mul(two, product));
+    let [of_ab, of_ac, of_bc] = [[a, b, d], [a, c, e], [b, c, f]].map(|[one, other, beside]| {
+        let (both, square) = (arena.mul(one, other), arena.square(beside));
+        arena.sub(both, square)
+    });
+    // Off the diagonal there are −d, −e and −f.
+    let (first, de, df, be) = (arena.mul(a, of_bc), arena.mul(d, c), arena.mul(d, f), arena.mul(b, e));
+    let (fe, dfe) = (arena.mul(f, e), arena.add(df, be));
+    let dcfe = arena.add(de, fe);
+    let (second, third) = (arena.mul(d, dcfe), arena.mul(e, dfe));
+    let rest = arena.sub(first, second);
+    let determinant = arena.sub(rest, third);
+    let of_two = Dim::INERTIA.times(Dim::INERTIA);
+    vec![(of_ab, of_two), (of_ac, of_two), (of_bc, of_two), (determinant, of_two.times(Dim::INERTIA))]
 }
 
 fn sum(arena: &mut Arena, one: Option<Vec<Expr>>, two: Option<Vec<Expr>>) -> Option<Vec<Expr>> {
