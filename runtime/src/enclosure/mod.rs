@@ -205,7 +205,12 @@ impl fmt::Display for Doubt {
         match self {
             Self::ParameterOutOfRange(name) => write!(f, "parameter `{name}` is out of range"),
             Self::NotFinite(of) => write!(f, "{of} is not a finite number"),
-            Self::NoSolution(of) => write!(f, "no solution could be proven near {of}: there is none, or Φ_q is singular there"),
+            Self::NoSolution(of) => {
+                write!(
+                    f,
+                    "no solution could be proven near {of}: there is none, Φ_q is singular there, or a periodic function begins anew there"
+                )
+            }
             Self::Another(of) => write!(f, "there may be two solutions near {of}"),
             Self::DoesNotHold(row) => write!(f, "{row} does not hold"),
             Self::Unproven(of) => {
