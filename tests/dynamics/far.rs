@@ -2,45 +2,51 @@
 
 use reuleaux::mechanism;
 
+/// A four-bar whose crank is released or driven.
+macro_rules! four_bar {
+    ($name:ident, $($motion:tt)*) => {
+        mechanism! {
+            #[closure(start)]
+            mechanism $name {
+                param angle: Angle = 0.3rad;
+                param crank_length: Length = 0.1m;
+                param coupler_length: Length = 0.35m;
+                param rocker_length: Length = 0.3m;
+                param ground_length: Length = 0.4m;
+                ground { point C = (ground_length, 0mm); }
+                body crank { point A = (crank_length, 0mm); mass = 1kg; inertia = 0.1kgm2; }
+                body coupler { point B = (coupler_length, 0mm); }
+                body rocker { point B = (rocker_length, 0mm); start angle = 100deg; }
+                joint o = revolute(ground.position, crank.position);
+                joint c = revolute(ground.C, rocker.position);
+                joint b = revolute(coupler.B, rocker.B);
+                joint a = revolute(crank.A, coupler.position);
+                $($motion)*
+            }
+        }
+    };
+}
+
+four_bar!(Released, freedom turn = crank.angle from angle;);
+four_bar!(Driven, drive turn = drive_angle(crank, angle + 1rad_s * t););
+
 mechanism! {
-    /// A four-bar whose crank is released.
-    #[closure(start)]
-    mechanism Released {
-        param angle: Angle = 0.3rad;
-        param crank_length: Length = 0.1m;
-        param coupler_length: Length = 0.35m;
-        param rocker_length: Length = 0.3m;
-        param ground_length: Length = 0.4m;
-        ground { point C = (ground_length, 0mm); }
-        body crank { point A = (crank_length, 0mm); mass = 1kg; inertia = 0.1kgm2; }
-        body coupler { point B = (coupler_length, 0mm); }
-        body rocker { point B = (rocker_length, 0mm); start angle = 100deg; }
-        joint o = revolute(ground.position, crank.position);
-        joint c = revolute(ground.C, rocker.position);
-        joint b = revolute(coupler.B, rocker.B);
-        joint a = revolute(crank.A, coupler.position);
-        freedom turn = crank.angle from angle;
+    /// A body far away, of which the lengths of the mechanism know nothing.
+    mechanism Satellite {
+        param height: Length = 7000000m;
+        param along: Velocity = 7500m_s;
+        body probe { mass = 100kg; inertia = 20kgm2; }
+        freedom x = probe.x from height;
+        freedom y = probe.y from 0m at along;
+        freedom turn = probe.angle from 0rad at 0.1rad_s;
     }
 }
 
-mechanism! {
-    /// The same, driven.
-    #[closure(start)]
-    mechanism Driven {
-        param angle: Angle = 0.3rad;
-        param crank_length: Length = 0.1m;
-        param coupler_length: Length = 0.35m;
-        param rocker_length: Length = 0.3m;
-        param ground_length: Length = 0.4m;
-        ground { point C = (ground_length, 0mm); }
-        body crank { point A = (crank_length, 0mm); }
-        body coupler { point B = (coupler_length, 0mm); }
-        body rocker { point B = (rocker_length, 0mm); start angle = 100deg; }
-        joint o = revolute(ground.position, crank.position);
-        joint c = revolute(ground.C, rocker.position);
-        joint b = revolute(coupler.B, rocker.B);
-        joint a = revolute(crank.A, coupler.position);
-        drive turn = drive_angle(crank, angle + 1rad_s * t);
+#[test]
+fn lengths_may_change_by_any_amount() {
+    for height in [6.6e6, -4.2e7, 1e12, 0.0] {
+        let state = Satellite { height, ..Satellite::default() }.initial_state().unwrap_or_else(|stopped| panic!("{height}: {stopped}"));
+        assert!((state.probe().position.x - height).abs() <= 1e-15 * height.abs(), "{height}: {}", state.probe().position.x);
     }
 }
 

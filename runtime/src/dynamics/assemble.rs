@@ -14,13 +14,13 @@ use super::places::{largest, moved, picked, put};
 use super::project::{Open, gap, levels, project_onto};
 use crate::number::Scalar;
 
-/// A step is short enough if no coordinate moves farther, in rad or lengths.
+/// A part of the residuals is small enough if no coordinate moves farther, in rad or lengths.
 const FAR: f64 = 0.25;
 
-/// A step along the tangent ends at most so far beside it, in rad or lengths, and as a fraction of the step.
-const BESIDE: [f64; 2] = [0.02, 0.1];
+/// A step along the tangent ends at most so far beside it: in rad; of a length, as a share of its change and L.
+const BESIDE: f64 = 0.05;
 
-/// Longest step along the tangent, in rad or lengths.
+/// Longest turn in a step along the tangent, in rad. Lengths may change by any amount.
 const LONGEST: f64 = 1.0;
 
 /// Beyond the end of a branch no coordinate moves farther, in rad or lengths.
@@ -32,7 +32,7 @@ const MOST: usize = 50_000;
 /// Parts of the way: none is shorter than one by this.
 const SHORTEST: f64 = 1.0 / 4096.0;
 
-/// The same along the tangent.
+/// Shortest step along the tangent, as a part of the way.
 const SHORTEST_STEP: f64 = 1e-9;
 
 /// Moves a place from the declared start to the initial values and the parameters, and sets its speeds.
@@ -87,8 +87,10 @@ where
         put(&mut place, &S::INTEGRATED, &predicted);
         let found = project_onto(at, None, (&mut place, &mut speeds), |q| at.initial(q, T::ZERO));
         let after = picked(&place, &S::INTEGRATED);
-        let [way, beside] = [&before, &predicted].map(|from| largest(&moved(&after, -one, from), &lengths));
-        let is_short = way <= T::of(LONGEST) && beside <= T::of(BESIDE[0]) + T::of(BESIDE[1]) * way;
+        let is_short = (0..I).all(|k| {
+            let [way, beside] = [&before, &predicted].map(|from| ((after[k] - from[k]) / lengths[k]).abs());
+            if S::IS_LENGTH[k] { beside <= T::of(BESIDE) * (way + one) } else { way <= T::of(LONGEST) && beside <= T::of(BESIDE) }
+        });
         if found.is_ok() && is_short && side_of(at, &place) == side {
             slope = moved(&after, -one, &before).map(|change| change / by);
             (here, reached, step) = (place, next, step + step);

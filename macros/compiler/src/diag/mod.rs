@@ -155,7 +155,7 @@ impl Diag {
         self.refusals.truncate(kept);
     }
 
-    /// Of the errors of one call, those after the first `known`, keeps only the one that names another force.
+    /// If one of the errors after the first `known`, which are those of one call, names another force, drops the others among them.
     pub(crate) fn keep_other_force(&mut self, known: usize) {
         let names_other = |refusal: &Refusal| {
             let fact = if let Fact::InInstance { fact, .. } = &refusal.fact { fact } else { &refusal.fact };

@@ -4,6 +4,7 @@ mod accepted;
 mod gaps;
 mod joints;
 mod nearest;
+mod orientations;
 mod plates;
 mod range;
 mod starts;
