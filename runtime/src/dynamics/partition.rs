@@ -14,8 +14,11 @@ pub(super) const WORSE: f64 = 0.1;
 /// The same for pivots kept from step to step: a projection moves dependent coordinates for good, and by small pivots it moves them far.
 pub(super) const ABOUT_AS_GOOD: f64 = 0.5;
 
-/// Rows of at most so many entries are subtracted as a whole, which costs less than to begin behind the pivot.
+/// Rows of at most so many entries are subtracted as a whole, which costs less than to look for entries that are not zero.
 const SHORT: usize = 12;
+
+/// Entries of longer rows are subtracted in so many at a time, and left out where all of them are zero.
+const ABREAST: usize = 8;
 
 /// Rows J x = b solved for dependent unknowns, by Gauss-Jordan elimination.
 ///
@@ -95,6 +98,52 @@ fn by_rows<T: Scalar, const M: usize, const I: usize>(matrix: &SMatrix<T, M, I>)
     core::array::from_fn(|row| core::array::from_fn(|column| columns[column][row]))
 }
 
+/// The matrix by rows, in the order of the pivots.
+fn arranged<T: Scalar, const M: usize, const I: usize>(matrix: &SMatrix<T, M, I>, pivots: &Pivots<T, M, I>) -> [[T; I]; M] {
+    ordered(&by_rows(matrix), &pivots.rows, [T::ZERO; I]).map(|row| ordered(&row, &pivots.unknowns, T::ZERO))
+}
+
+/// A row to be subtracted from others.
+struct Subtrahend<'a, T, const I: usize> {
+    row: &'a [T; I],
+    /// For each [`ABREAST`] entries of a long row whether one of them is not zero.
+    counts: [bool; I],
+}
+
+impl<'a, T: Scalar, const I: usize> Subtrahend<'a, T, I> {
+    #[inline(always)]
+    fn new(row: &'a [T; I]) -> Self {
+        let mut counts = [true; I];
+        if I > SHORT {
+            for (counts, entries) in counts.iter_mut().zip(row.chunks(ABREAST)) {
+                *counts = entries.iter().any(|entry| *entry != T::ZERO);
+            }
+        }
+        Self { row, counts }
+    }
+
+    /// Subtracts the row times a factor.
+    #[inline(always)]
+    fn subtract(&self, factor: T, entries: &mut [T; I]) {
+        if I <= SHORT {
+            for (entry, own) in entries.iter_mut().zip(self.row) {
+                *entry = *entry - factor * *own;
+            }
+        } else if factor != T::ZERO {
+            let (blocks, rest) = entries.as_chunks_mut::<ABREAST>();
+            let (own_blocks, own_rest) = self.row.as_chunks::<ABREAST>();
+            for ((block, own), _) in blocks.iter_mut().zip(own_blocks).zip(&self.counts).filter(|(_, counts)| **counts) {
+                for (entry, own) in block.iter_mut().zip(own) {
+                    *entry = *entry - factor * *own;
+                }
+            }
+            for (entry, own) in rest.iter_mut().zip(own_rest) {
+                *entry = *entry - factor * *own;
+            }
+        }
+    }
+}
+
 /// Some entries of a list, in another order.
 fn ordered<X: Copy, const K: usize, const L: usize>(list: &[X; K], order: &[usize; L], otherwise: X) -> [X; L] {
     order.map(|place| list.get(place).copied().unwrap_or(otherwise))
@@ -113,6 +162,16 @@ fn exchange<X: Copy>(list: &mut [X], one: usize, two: usize) {
 /// Largest entry of a row, in comparable units.
 fn size<T: Scalar, const I: usize>(row: &[T; I], lengths: &[T; I]) -> T {
     row.iter().zip(lengths).fold(T::ZERO, |size, (entry, length)| size.max((*entry * *length).abs()))
+}
+
+/// The largest entry of a row from a column on, in comparable units, and its column.
+fn largest_of<T: Scalar, const I: usize>(row: &[T; I], lengths: &[T; I], first: usize) -> (T, usize) {
+    let mut largest = (T::ZERO, first);
+    for (column, (entry, length)) in row.iter().zip(lengths).enumerate().skip(first) {
+        let entry = (*entry * *length).abs();
+        largest = if entry > largest.0 { (entry, column) } else { largest };
+    }
+    largest
 }
 
 impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
@@ -147,27 +206,45 @@ impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
             }
         }
         this.pivots.count = count.saturating_sub(redundant.count);
+        let mut largest = this.rows.each_ref().map(|row| largest_of(row, &lengths, 0));
         while this.rank < this.pivots.count {
-            let (row, column, is_independent) = this.largest(count, &sizes, &lengths);
-            if !is_independent {
+            let rank = this.rank;
+            // A row without entries stays as it is.
+            let mut best = (T::ZERO, T::of(1.0), rank, rank);
+            for (row, ((entry, column), size)) in largest.iter().zip(&sizes).enumerate().take(count).skip(rank) {
+                if *entry * best.1 > best.0 * *size {
+                    best = (*entry, *size, row, *column);
+                }
+            }
+            let (entry, size, row, column) = best;
+            if !(entry > T::of(DEPENDENT) * T::ROOT_EPSILON * size) {
                 return Err(this.pivots.rows.get(row).copied().unwrap_or(0));
             }
-            let rank = this.rank;
             exchange(&mut this.rows, rank, row);
             exchange(&mut this.side, rank, row);
             exchange(&mut this.pivots.rows, rank, row);
             exchange(&mut sizes, rank, row);
+            exchange(&mut largest, rank, row);
             exchange(&mut this.pivots.unknowns, rank, column);
             exchange(&mut lengths, rank, column);
             this.rows.iter_mut().take(count).for_each(|row| exchange(row, rank, column));
+            let changes = this.rows.each_ref().map(|row| row.get(rank).is_some_and(|entry| *entry != T::ZERO));
             this.eliminate(count);
+            let others = this.rows.iter().zip(&mut largest).zip(changes).take(count).skip(rank + 1);
+            for ((row, found), changes) in others {
+                if changes {
+                    *found = largest_of(row, &lengths, rank + 1);
+                } else if found.1 == rank {
+                    found.1 = column;
+                }
+            }
         }
         Ok(this)
     }
 
     /// Eliminates all rows in a known order; `None` if a pivot is below a `fraction` of its size when it was chosen.
     pub(super) fn along(matrix: &SMatrix<T, M, I>, side: &SVector<T, M>, pivots: &Pivots<T, M, I>, fraction: T) -> Option<Self> {
-        let rows = ordered(&by_rows(matrix), &pivots.rows, [T::ZERO; I]).map(|row| ordered(&row, &pivots.unknowns, T::ZERO));
+        let rows = arranged(matrix, pivots);
         let side = pivots.rows.map(|row| side.get(row).copied().unwrap_or(T::ZERO));
         let mut this = Self { rank: 0, pivots: *pivots, rows, side };
         for (k, before) in pivots.sizes.iter().enumerate().take(pivots.count) {
@@ -182,21 +259,6 @@ impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
         Some(this)
     }
 
-    /// Row and column of the largest entry that is left, relative to its row, and whether it is above zero.
-    fn largest(&self, count: usize, sizes: &[T; M], lengths: &[T; I]) -> (usize, usize, bool) {
-        // The entry, and the size of its row.
-        let mut best = (T::ZERO, T::of(1.0), self.rank, self.rank);
-        for (row, (entries, size)) in self.rows.iter().zip(sizes).enumerate().take(count).skip(self.rank) {
-            for (column, (entry, length)) in entries.iter().zip(lengths).enumerate().skip(self.rank) {
-                let entry = (*entry * *length).abs();
-                if entry * best.1 > best.0 * *size {
-                    best = (entry, *size, row, column);
-                }
-            }
-        }
-        (best.2, best.3, best.0 > T::of(DEPENDENT) * T::ROOT_EPSILON * best.1)
-    }
-
     /// Makes the column of the next pivot a unit vector.
     #[inline(always)]
     fn eliminate(&mut self, count: usize) {
@@ -206,17 +268,14 @@ impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
         let pivot = own.get(k).copied().unwrap_or(T::ZERO);
         let inverse = T::of(1.0) / pivot;
         let (own, side) = (own.map(|entry| entry * inverse), side * inverse);
-        // Entries before the pivot are not read again.
-        let first = if I <= SHORT { 0 } else { k + 1 };
+        let subtrahend = Subtrahend::new(&own);
         for (row, (entries, value)) in self.rows.iter_mut().zip(&mut self.side).enumerate().take(count) {
             if row == k {
                 (*entries, *value) = (own, side);
                 continue;
             }
             let factor = entries.get(k).copied().unwrap_or(T::ZERO);
-            for (entry, own) in entries.iter_mut().zip(&own).skip(first) {
-                *entry = *entry - factor * *own;
-            }
+            subtrahend.subtract(factor, entries);
             *value = *value - factor * side;
         }
         if let (Some(size), Some(sign)) = (self.pivots.sizes.get_mut(k), self.pivots.signs.get_mut(k)) {
@@ -288,17 +347,16 @@ pub(super) fn has_other_signs<T: Scalar, const M: usize, const I: usize>(
 
 /// For each pivot whether it is above zero.
 fn signs<T: Scalar, const M: usize, const I: usize>(matrix: &SMatrix<T, M, I>, pivots: &Pivots<T, M, I>) -> [bool; M] {
-    let mut rows = ordered(&by_rows(matrix), &pivots.rows, [T::ZERO; I]).map(|row| ordered(&row, &pivots.unknowns, T::ZERO));
+    let mut rows = arranged(matrix, pivots);
     let mut signs = [true; M];
     for (k, sign) in signs.iter_mut().enumerate().take(pivots.count) {
         let own = rows[k];
         let pivot = own.get(k).copied().unwrap_or(T::ZERO);
         *sign = pivot > T::ZERO;
+        let subtrahend = Subtrahend::new(&own);
         for row in rows.iter_mut().skip(k + 1) {
             let factor = row.get(k).copied().unwrap_or(T::ZERO) / pivot;
-            for (entry, own) in row.iter_mut().zip(&own).skip(k) {
-                *entry = *entry - factor * *own;
-            }
+            subtrahend.subtract(factor, row);
         }
     }
     signs

@@ -65,12 +65,10 @@ impl Emitter<'_> {
         let of_state = vector_type(n);
         let (constraints, initial) = (self.kinematics(code, &code.constraints, m), self.kinematics(code, &code.initial, r));
         let RoutinePrinter { reads, steps, results } = fast_lines(self.model, &code.arena, &code.balance);
-        let matrix = self.entries(code, &code.balance, &results, 0, (m, i), &all(m, i));
-        let gamma = &results[m * i..m * i + m];
-        let triangle = m * i + m;
-        let places: Vec<(usize, usize)> = (0..i).flat_map(|row| (0..=row).map(move |column| (row, column))).collect();
-        let mass = self.entries(code, &code.balance, &results, triangle, (i, i), &places);
-        let forces = &results[triangle + places.len()..];
+        let (jacobian, rest) = results.split_at(code.entries);
+        let (gamma, rest) = rest.split_at(m);
+        let (mass, forces) = rest.split_at(code.masses.len());
+        let (matrix, mass) = (matrix((m, i), &code.pattern, jacobian), matrix((i, i), &code.masses, mass));
         let [number_m, number_i, number_r] = [m, i, r].map(number);
         let accelerations = code.accelerations.as_ref().map(|routine| self.accelerations(code, routine, (n, i)));
         let checked = (!code.checked_rows.is_empty()).then(|| self.checks(code, n));
@@ -143,8 +141,9 @@ impl Emitter<'_> {
     fn kinematics(&self, code: &DynamicsCode, routine: &Routine, m: usize) -> TokenStream {
         let i = code.integrated.len();
         let RoutinePrinter { reads, steps, results } = fast_lines(self.model, &code.arena, routine);
-        let (phi, nu) = (&results[..m], &results[m..2 * m]);
-        let matrix = self.entries(code, routine, &results, 2 * m, (m, i), &all(m, i));
+        let (phi, rest) = results.split_at(m);
+        let (nu, entries) = rest.split_at(m);
+        let matrix = matrix((m, i), &code.pattern, entries);
         quote! {
             #reads
             #steps
@@ -154,30 +153,6 @@ impl Emitter<'_> {
                 nu: ::core::convert::From::from([#(#nu),*]),
             }
         }
-    }
-
-    /// A matrix whose entries are results from `first` on.
-    fn entries(
-        &self,
-        code: &DynamicsCode,
-        routine: &Routine,
-        results: &[TokenStream],
-        first: usize,
-        (rows, columns): (usize, usize),
-        places: &[(usize, usize)],
-    ) -> TokenStream {
-        let is_zero = |k: usize| code.arena.as_constant(routine.results[first + k]).is_some_and(|value| value.is_zero());
-        let writes = places.iter().enumerate().filter(|(k, _)| !is_zero(*k)).map(|(k, (row, column))| {
-            let value = &results[first + k];
-            let (row, column) = (number(*row), number(*column));
-            quote!(matrix[(#row, #column)] = #value;)
-        });
-        let (of_matrix, zero) = (matrix_type(rows, columns), real(0.0));
-        quote!({
-            let mut matrix: #of_matrix = ::reuleaux::Matrix::from_element(#zero);
-            #(#writes)*
-            matrix
-        })
     }
 
     /// Initial state, steps and energies.
@@ -291,7 +266,16 @@ impl Emitter<'_> {
     }
 }
 
-/// Row and column of every entry, row by row.
-fn all(rows: usize, columns: usize) -> Vec<(usize, usize)> {
-    (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))).collect()
+/// A matrix with these entries at some places, and zeros at the others.
+fn matrix((rows, columns): (usize, usize), places: &[(usize, usize)], entries: &[TokenStream]) -> TokenStream {
+    let writes = places.iter().zip(entries).map(|((row, column), value)| {
+        let (row, column) = (number(*row), number(*column));
+        quote!(matrix[(#row, #column)] = #value;)
+    });
+    let (of_matrix, zero) = (matrix_type(rows, columns), real(0.0));
+    quote!({
+        let mut matrix: #of_matrix = ::reuleaux::Matrix::from_element(#zero);
+        #(#writes)*
+        matrix
+    })
 }

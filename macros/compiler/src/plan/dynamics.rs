@@ -23,16 +23,22 @@ pub struct DynamicsCode {
     pub rows: usize,
     /// How many of them follow from the others.
     pub redundant: usize,
-    /// Φ, ν and J, row by row.
+    /// Φ, ν and the entries of J.
     pub constraints: Routine,
     /// The same of all equations at t = 0.
     pub initial: Routine,
+    /// Row and column of each entry of J; the first `entries` of them are those between integrated coordinates.
+    pub pattern: Vec<(usize, usize)>,
+    /// See `pattern`.
+    pub entries: usize,
     /// Joint of each equation that is checked, and the power of a length with which it is judged.
     pub checked_rows: Vec<(usize, u8)>,
     /// Their Φ.
     pub checked: Routine,
-    /// J row by row, γ, the lower triangle of M row by row, f.
+    /// The entries of J, γ, the entries of M, f.
     pub balance: Routine,
+    /// Row and column of each entry of M, in its lower triangle.
+    pub masses: Vec<(usize, usize)>,
     /// u̇, then the checked numbers of its computation, each with the number that it has to exceed.
     pub accelerations: Option<Routine>,
     /// Value, rate and acceleration of every entry of the state with the accelerations of its positions and speeds; λ, the loads of joints and
@@ -57,12 +63,18 @@ pub(super) fn code(model: &Model, system: &System, dynamics: &Dynamics) -> Dynam
         let is_pin = row.of.1 >= model.joints[row.of.0].residuals.len();
         (row.of.0, [row.phi.is_some(), !is_pin])
     };
-    let entries = |rows: &[MotionRow]| rows.iter().flat_map(|row| row.jacobian.clone()).collect::<Vec<_>>();
+    let is_entry = |entry: &Expr| *entry != dynamics.zero;
+    let in_row = |row: &MotionRow| row.jacobian.clone().into_iter().enumerate().filter(|(_, entry)| is_entry(entry)).collect::<Vec<_>>();
+    let entries = |rows: &[MotionRow]| rows.iter().flat_map(in_row).map(|(_, entry)| entry).collect::<Vec<_>>();
     let kinematics = |rows: &[MotionRow]| {
         let phi = rows.iter().map(|row| row.phi.unwrap_or(dynamics.zero));
         phi.chain(rows.iter().map(|row| row.nu)).chain(entries(rows)).collect::<Vec<_>>()
     };
     let gamma = rows.iter().map(|row| row.gamma);
+    let pattern = all.iter().enumerate().flat_map(|(number, row)| in_row(row).into_iter().map(move |(column, _)| (number, column)));
+    let triangle = (0..integrated.len()).flat_map(|row| (0..=row).map(move |column| (row, column)));
+    let masses: Vec<((usize, usize), Expr)> = triangle.zip(mass.iter().copied()).filter(|(_, entry)| is_entry(entry)).collect();
+    let of_masses = masses.iter().map(|(_, entry)| *entry);
     DynamicsCode {
         integrated: integrated.clone(),
         initial_rows: all.iter().map(level).collect(),
@@ -73,7 +85,10 @@ pub(super) fn code(model: &Model, system: &System, dynamics: &Dynamics) -> Dynam
         checked: line(checked.iter().map(|(_, phi, _)| *phi).collect()),
         constraints: line(kinematics(rows)),
         initial: line(kinematics(&all)),
-        balance: line(entries(rows).into_iter().chain(gamma).chain(mass.iter().chain(forces).copied()).collect()),
+        pattern: pattern.collect(),
+        entries: entries(rows).len(),
+        balance: line(entries(rows).into_iter().chain(gamma).chain(of_masses).chain(forces.iter().copied()).collect()),
+        masses: masses.into_iter().map(|(place, _)| place).collect(),
         accelerations: dynamics.accelerations.as_ref().map(|found| {
             let results = found.values.iter().chain(found.checks.iter().flatten());
             line(results.copied().collect())

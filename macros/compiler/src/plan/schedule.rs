@@ -104,7 +104,8 @@ impl<'a> Scheduler<'a> {
 
     /// Adds the missing steps of a result.
     pub(super) fn serve(&mut self, result: Expr) {
-        for expr in self.arena.reachable_to_values(&[result]) {
+        let done = |expr: Expr| self.done.contains(&expr);
+        for expr in self.arena.reachable_down_to(&[result], done, |expr| self.arena.value(expr).is_some()) {
             let is_elsewhere = self.needed.binary_search(&expr).is_err();
             if is_elsewhere || !self.done.insert(expr) {
                 continue;
