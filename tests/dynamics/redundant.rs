@@ -71,3 +71,55 @@ fn steps_across_a_flat_place_lose_nothing() {
         assert!((mechanism.one(&state).rate - 2.0).abs() < 1e-12, "{}", state.t);
     }
 }
+
+/// Bennett's linkage with all its parameters, released or driven.
+macro_rules! bennett {
+    ($name:ident, $($motion:tt)*) => {
+        mechanism! {
+            mechanism $name in space {
+                param al: Angle = 35deg;
+                param be: Angle = 80deg;
+                param la: Length = 57.357643635104605mm;
+                param lb: Length = 98.4807753012208mm;
+                ground { axis z = (0, 0, 1) from (1, 0, 0);  point E = (la, 0mm, 0mm);  axis e = (0, -sin(al), cos(al)) from (1, 0, 0); }
+                body b {
+                    axis z = (0, 0, 1) from (1, 0, 0);  point E = (lb, 0mm, 0mm);  axis e = (0, -sin(be), cos(be)) from (1, 0, 0);
+                    mass = 1kg;  inertia = ball(30mm);
+                }
+                body c { axis z = (0, 0, 1) from (1, 0, 0);  point E = (la, 0mm, 0mm);  axis e = (0, -sin(al), cos(al)) from (1, 0, 0); }
+                body d { axis z = (0, 0, 1) from (1, 0, 0);  point E = (lb, 0mm, 0mm);  axis e = (0, -sin(be), cos(be)) from (1, 0, 0); }
+                joint j1 = revolute(ground.E, ground.e, b.position, b.z);
+                joint j2 = revolute(b.E, b.e, c.position, c.z);
+                joint j3 = revolute(c.E, c.e, d.position, d.z);
+                redundant joint j4 = revolute(d.E, d.e, ground.position, ground.z);
+                start j2.angle = -123deg;
+                start j3.angle = -100deg;
+                $($motion)*
+                output two = j2.angle;
+            }
+        }
+    };
+}
+
+bennett!(Released, freedom turn = j1.angle from 100deg;);
+bennett!(Driven, drive turn = drive_rotation(j1, 100deg + 1rad_s * t););
+
+/// On the way from the declared parameters to others the linkage does not close: its lengths are proportional to the sines of its twists at both
+/// ends only. tan(θ₁/2) tan(θ₂/2) = −sin((α + β)/2) / sin((α − β)/2) up to the sign of the twists.
+#[test]
+fn redundant_rows_need_not_fit_on_the_way_to_other_parameters() {
+    for (first, second) in [(36.0, 79.0), (50.0, 65.0), (60.0, 55.0), (60.0, 30.0), (35.0, 20.0), (20.0, 80.0), (80.0, 120.0), (80.0, 35.0)]
+    {
+        let [al, be] = [first, second].map(f64::to_radians);
+        let [la, lb] = [al, be].map(|twist| 0.1 * twist.sin());
+        let mechanism = Released { al, be, la, lb };
+        let state = mechanism.initial_state().unwrap_or_else(|stopped| panic!("{first}°, {second}°: {stopped}"));
+        let found = mechanism.two(&state).value;
+        let ratio = (0.5 * (al + be)).sin() / (0.5 * (be - al)).sin();
+        let product = (50.0_f64).to_radians().tan() * (0.5 * found).tan();
+        assert!((product.abs() - ratio.abs()).abs() < 1e-9 * ratio.abs(), "{first}°, {second}°: {product}, not {ratio}");
+        let driven = Driven { al, be, la, lb };
+        let known = driven.two(&driven.solve(0.0).expect("it is assembled")).value;
+        assert!((found - known).abs() < 1e-9, "{first}°, {second}°: {found}, driven {known}");
+    }
+}

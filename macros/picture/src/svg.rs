@@ -13,30 +13,36 @@ const MARGIN: f64 = 8.0;
 /// Largest length of the scale bar.
 const BAR: f64 = 110.0;
 
-/// Ink and paper take the colours of the surrounding page if it defines them, as rustdoc does. Each rule gives a colour before the variable, for
-/// programs that do not know variables.
-const STYLE: &str = ".reuleaux{--ink:var(--main-color,#1c1c1c);--paper:var(--main-background-color,#fff);max-width:100%;height:auto}\
-.reuleaux *{stroke-linejoin:round;stroke-linecap:round}\
-.reuleaux .t,.reuleaux .l,.reuleaux .d{fill:none;stroke:#1c1c1c;stroke:var(--ink);stroke-width:1}\
+/// The rules of all pictures, in colours that any program knows. Rules in `@supports` are passed over by programs without variables.
+const STYLE: &str = ".reuleaux *{stroke-linejoin:round;stroke-linecap:round}\
+.reuleaux .t,.reuleaux .l,.reuleaux .d{fill:none;stroke:#1c1c1c;stroke-width:1}\
 .reuleaux .l{stroke-width:1.6}\
 .reuleaux .d{stroke-width:1.4;stroke-dasharray:5 4}\
-.reuleaux .s{fill:#1c1c1c;fill:var(--ink)}\
-.reuleaux .p{fill:#fff;fill:var(--paper);stroke:#1c1c1c;stroke:var(--ink);stroke-width:1.6}\
+.reuleaux .s{fill:#1c1c1c}\
+.reuleaux .p{fill:#fff;stroke:#1c1c1c;stroke-width:1.6}\
 .reuleaux .b{fill:none;stroke:currentColor;stroke-width:7}\
 .reuleaux .q{fill:currentColor;fill-opacity:.3;stroke:currentColor;stroke-width:4}\
-.reuleaux .k{fill:currentColor;stroke:#1c1c1c;stroke:var(--ink);stroke-width:1.4}\
+.reuleaux .k{fill:currentColor;stroke:#1c1c1c;stroke-width:1.4}\
 .reuleaux .w{fill:currentColor;fill-opacity:.14;stroke:currentColor;stroke-width:1.8}\
 .reuleaux .o{fill:none;stroke:currentColor;stroke-width:1.8}\
-.reuleaux text{font:12px \"Fira Sans\",\"DejaVu Sans\",Arial,sans-serif;fill:#1c1c1c;fill:var(--ink);stroke:#fff;stroke:var(--paper);stroke-width:3;paint-order:stroke;text-anchor:middle}\
+.reuleaux text{font:12px \"Fira Sans\",\"DejaVu Sans\",Arial,sans-serif;fill:#1c1c1c;stroke:#fff;stroke-width:3;paint-order:stroke;text-anchor:middle}\
 .reuleaux .i{font-style:italic}";
 
+/// Ink and paper take the colours of the surrounding page if it defines them, as rustdoc does.
+const VARIABLES: &str = "@supports(color:var(--ink)){.reuleaux{--ink:var(--main-color,#1c1c1c);--paper:var(--main-background-color,#fff);max-width:100%;height:auto}\
+.reuleaux .t,.reuleaux .l,.reuleaux .d,.reuleaux .p,.reuleaux .k{stroke:var(--ink)}\
+.reuleaux .s,.reuleaux text{fill:var(--ink)}\
+.reuleaux .p{fill:var(--paper)}\
+.reuleaux text{stroke:var(--paper)}}";
+
 /// Additional style rules of spatial pictures.
-const IN_SPACE: &str = ".reuleaux .a{fill:none;stroke:#1c1c1c;stroke:var(--ink);stroke-width:.8;stroke-opacity:.75;stroke-dasharray:9 3 1 3}\
-.reuleaux .r{fill:none;stroke:#1c1c1c;stroke:var(--ink);stroke-width:2.6}\
-.reuleaux .h{fill:none;stroke:#fff;stroke:var(--paper);stroke-width:12;stroke-linecap:butt}\
+const IN_SPACE: &str = ".reuleaux .a{fill:none;stroke:#1c1c1c;stroke-width:.8;stroke-opacity:.75;stroke-dasharray:9 3 1 3}\
+.reuleaux .r{fill:none;stroke:#1c1c1c;stroke-width:2.6}\
+.reuleaux .h{fill:none;stroke:#fff;stroke-width:12;stroke-linecap:butt}\
 .reuleaux .f{fill:none;stroke:currentColor;stroke-width:4.5}\
-.reuleaux .e{fill:#fff;fill:var(--paper);fill-opacity:.6;stroke:none}\
-.reuleaux .v{fill:#fff;fill-opacity:.4;stroke:#1c1c1c;stroke:var(--ink);stroke-width:1.2}";
+.reuleaux .e{fill:#fff;fill-opacity:.6;stroke:none}\
+.reuleaux .v{fill:#fff;fill-opacity:.4;stroke:#1c1c1c;stroke-width:1.2}\
+@supports(color:var(--ink)){.reuleaux .a,.reuleaux .r,.reuleaux .v{stroke:var(--ink)}.reuleaux .h{stroke:var(--paper)}.reuleaux .e{fill:var(--paper)}}";
 
 /// Title and description of a picture, for screen readers.
 pub(crate) struct Captions<'a> {
@@ -126,7 +132,7 @@ fn head(frame: Rectangle, words: &Captions, is_in_space: bool) -> String {
 pub(crate) fn style(is_in_space: bool) -> String {
     let colours: String = COLOURS.iter().enumerate().map(|(index, colour)| format!(".reuleaux .c{index}{{color:{colour}}}")).collect();
     let more = if is_in_space { IN_SPACE } else { "" };
-    format!("{STYLE}{colours}.reuleaux .g{{color:#888}}{more}")
+    format!("{STYLE}{colours}.reuleaux .g{{color:#888}}{VARIABLES}{more}")
 }
 
 /// Shapes from bottom to top, then labels.

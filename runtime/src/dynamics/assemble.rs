@@ -76,6 +76,8 @@ where
     let (lengths, start) = (lengths(mechanism), *q);
     let side = mechanism.interpolated(T::ZERO).and_then(|defaults| side_of(&defaults, origin));
     let (mut here, mut slope, mut reached, mut step) = (*origin, [T::ZERO; I], T::ZERO, one);
+    // Redundant rows need not fit on the way: those that are solved stay the same while they are good.
+    let mut rows = None;
     for _ in 0..MOST {
         let next = least(reached + step, one);
         let by = next - reached;
@@ -85,13 +87,15 @@ where
         let predicted = moved(&before, by, &slope);
         let (mut place, mut speeds) = (here, *qd);
         put(&mut place, &S::INTEGRATED, &predicted);
-        let found = project_onto(at, None, (&mut place, &mut speeds), |q| at.initial(q, T::ZERO));
+        let known = rows.as_ref().filter(|_| S::REDUNDANT > 0);
+        let found = project_onto(at, known, (&mut place, &mut speeds), |q| at.initial(q, T::ZERO));
         let after = picked(&place, &S::INTEGRATED);
         let is_short = (0..I).all(|k| {
             let [way, beside] = [&before, &predicted].map(|from| ((after[k] - from[k]) / lengths[k]).abs());
             if S::IS_LENGTH[k] { beside <= T::of(BESIDE) * (way + one) } else { way <= T::of(LONGEST) && beside <= T::of(BESIDE) }
         });
-        if found.is_ok() && is_short && side_of(at, &place) == side {
+        if let (Ok((_, pivots)), true, true) = (found, is_short, side_of(at, &place) == side) {
+            rows = Some(pivots);
             slope = moved(&after, -one, &before).map(|change| change / by);
             (here, reached, step) = (place, next, step + step);
             if next == one {

@@ -72,6 +72,14 @@ pub trait Dynamics<T: Scalar, const N: usize, const I: usize, const M: usize, co
     fn energy(&self, q: &SVector<T, N>, qd: &SVector<T, N>, t: T) -> Energy<T>;
 }
 
+/// A mechanism whose drives say where it is at each instant. No mechanism with freedoms is one.
+#[doc(hidden)]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has freedoms: forces decide where it is, and no instant can be solved by itself",
+    note = "write `initial_state()` for the state at t = 0, and `advance` or `sweep` with an `Integrator` for the motion from there"
+)]
+pub trait Driven {}
+
 /// Equations between positions and between speeds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constraints<T, const M: usize, const I: usize> {

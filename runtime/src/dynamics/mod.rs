@@ -35,7 +35,7 @@ mod stopped;
 mod sweep;
 mod tableau;
 
-pub use equations::{Balance, Constraints, Dynamics, Energy};
+pub use equations::{Balance, Constraints, Driven, Dynamics, Energy};
 pub use explicit::Explicit;
 pub use integrator::Integrator;
 pub use method::Method;

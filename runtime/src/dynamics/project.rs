@@ -35,7 +35,8 @@ where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    project_onto(mechanism, known, state, |q| mechanism.constraints(q, t))
+    // Of redundant rows others may follow from the rest by now.
+    project_onto(mechanism, known.filter(|_| S::REDUNDANT == 0), state, |q| mechanism.constraints(q, t))
 }
 
 /// The same for given equations.
@@ -54,7 +55,7 @@ where
     let [of_positions, of_speeds] = levels(&S::LEVELS);
     // Where the same rows count between positions and between speeds, the same pivots are good.
     let are_same = of_positions == [true; K] && of_speeds == [true; K];
-    let mut kept = known.filter(|_| are_same && S::REDUNDANT == 0).copied();
+    let mut kept = known.filter(|_| are_same).copied();
     let fraction = T::of(if S::REDUNDANT == 0 { ABOUT_AS_GOOD } else { WORSE });
     let mut here = equations(q);
     let mut open = gap(&here, &of_positions);

@@ -81,7 +81,8 @@ impl<T: Float> Cause<T> {
             Cause::DoesNotClose { row, residual, gap } => {
                 write!(
                     f,
-                    "`{name}` was not assembled at t = {t} s: where the search ended, {row} stays open by {}",
+                    "`{name}` was not assembled at t = {t} s: where the search ended, {row} stays open by {}{}",
+                    if is_bound(row.unit, residual.to_f64(), gap.to_f64()) { "up to " } else { "" },
                     Measure(gap.to_f64(), "m")
                 )?;
                 if row.unit == "m" { Ok(()) } else { write!(f, " (residual {})", Measure(residual.to_f64(), row.unit)) }
@@ -127,6 +128,11 @@ impl<T: Float> Cause<T> {
             ),
         }
     }
+}
+
+/// True for the gap of a distance d that should be c, of which only |d − c| ≤ √|d² − c²| is known.
+fn is_bound(unit: &str, residual: f64, gap: f64) -> bool {
+    unit == "m²" && gap * gap >= (1.0 - 1e-6) * residual.abs()
 }
 
 /// Above this condition, short steps are attributed to the condition.

@@ -62,13 +62,12 @@ fn painted(drawn: &Drawn, frame: usize) -> String {
     drawn.template.painted(frame).map(|element| mark(element, frame)).collect()
 }
 
-/// A picture in colours that any program understands, black on white.
-pub(crate) fn plain(picture: String) -> String {
-    let resolved = picture.replace("var(--main-color,#1c1c1c)", "#1c1c1c").replace("var(--main-background-color,#fff)", "#fff");
-    let resolved = resolved.replace("var(--ink)", "#1c1c1c").replace("var(--paper)", "#fff");
-    // Colours stand twice in a rule, for programs that do not know variables.
-    let colours = ["stroke:#1c1c1c", "fill:#1c1c1c", "stroke:#fff", "fill:#fff"];
-    colours.iter().fold(resolved, |picture, colour| picture.replace(&format!("{colour};{colour}"), colour))
+/// A picture in black on white, without the rules by which it takes the colours of a page.
+pub(crate) fn plain(mut picture: String) -> String {
+    while let Some((begin, length)) = picture.find("@supports(").and_then(|begin| Some((begin, picture[begin..].find("}}")? + 2))) {
+        picture.replace_range(begin..begin + length, "");
+    }
+    picture.replace("fill:#fff;fill:var(--paper)", "fill:#fff")
 }
 
 /// True for the shapes of bodies: bars, plates, blocks, wheels, forks.

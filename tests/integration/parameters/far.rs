@@ -231,3 +231,21 @@ fn a_linkage_of_any_size_is_the_declared_one_made_larger() {
         }
     }
 }
+
+mechanism! {
+    /// A boom on a cylinder whose eye may be elsewhere.
+    mechanism Boom {
+        param eye: Length = 1m;
+        ground { point base = (500mm, 0mm); }
+        body boom { point rod = (eye, 0mm);  start angle = 60deg; }
+        joint foot = revolute(ground.position, boom.position);
+        drive lift = drive_distance(ground.base, boom.rod, 900mm + 1mm_s * t);
+    }
+}
+
+/// Where the boom lies on the ground the cylinder has 2500 mm, so that 1600 mm are open; from d² − c² alone follows no more than √(2500² − 900²) mm.
+#[test]
+fn an_open_distance_is_stated_as_a_bound() {
+    let said = Boom { eye: 3.0 }.solve(0.0).expect_err("the cylinder is too short").to_string();
+    assert!(said.contains("joint `lift` (drive_distance, row 1 of 1) stays open by up to 2332 mm"), "{said}");
+}

@@ -19,7 +19,7 @@ use crate::expr::{Expr, Values, evaluate};
 use crate::numeric::Numeric;
 use crate::numeric::gap::Opened;
 use crate::numeric::samples::LOOKS;
-use crate::quantity::{Axis, Role};
+use crate::quantity::{Ambient, Axis, Role};
 use crate::structure::Structure;
 use std::collections::BTreeSet;
 
@@ -329,6 +329,7 @@ impl Judge<'_> {
             let found = numeric.system.coordinates.iter().position(|unknown| unknown.body == body && unknown.role == Role::Position(axis));
             found.map_or(0.0, |unknown| q[unknown])
         };
+        let axes: &[Axis] = if numeric.model.ambient == Ambient::Space { &[Axis::X, Axis::Y, Axis::Z] } else { &[Axis::X, Axis::Y] };
         // The greater value is suggested.
         let (one, other) = if shown(one) < shown(other) { (other, one) } else { (one, other) };
         let fact = AssemblyFact::AmbiguousStart {
@@ -336,7 +337,7 @@ impl Judge<'_> {
             owner: numeric.system.owner_and_name(numeric.model, unknown).0.to_string(),
             coordinate: numeric.system.coordinates[unknown].role,
             values: [shown(one), shown(other)],
-            place: [along(Axis::X, one), along(Axis::Y, one)],
+            place: axes.iter().map(|axis| along(*axis, one)).collect(),
             turn: numeric.as_turn(one, body).filter(|_| numeric.is_angle(unknown)),
             is_declared: differing.iter().any(|unknown| numeric.declared[*unknown].is_some()),
         };

@@ -50,7 +50,7 @@ codes! {
     E0005: Grammar::UnknownAttribute;
     E0006: Grammar::TokensAfter;
     E0007: Grammar::UnknownItem;
-    E0008: Grammar::UnknownBodyItem;
+    E0008: Grammar::UnknownBodyItem Grammar::FeatureOutside;
     E0009: Motion::InertiaOfNumbers Motion::InertiaOfVector Grammar::WithoutParentheses Value::NotTwoComponents Value::NotThreeComponents;
     E0010: Grammar::DoubleStar Grammar::MethodCall Grammar::RustConstant;
     E0011: Grammar::PathOfConstraint;
@@ -134,7 +134,7 @@ codes! {
     E0601: Equation::TimeInJoint Equation::TimeIn Equation::TimeInDefinition Equation::InputIn Equation::InputInJoint;
     E0602: Equation::RowOfNothing Equation::OnGround Equation::ForceOnGround Equation::EnergyOfNothing Equation::CrossProduct;
     E0603: Equation::NoEquations Equation::NoForces Equation::EmptyBundle;
-    E0604: Equation::GroundStart;
+    E0604: Equation::GroundStart Grammar::MassOfGround;
     E0605: Equation::NotAffine Equation::RateOfSpeed Value::RateOfVelocity System::Nonholonomic System::NoVelocity;
     E0606: Equation::EquationInForce Equation::ForceInJoint Motion::ForceForConstraint Motion::ConstraintForForce Motion::JointForDrive;
     E0607: Value::OutputWithoutRate Motion::NoJerk;

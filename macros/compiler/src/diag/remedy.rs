@@ -30,6 +30,8 @@ pub(super) fn of_kind(wanted: &Wanted, found: &Kind, ambient: Ambient) -> &'stat
         (Wanted::VectorOrPoint | Wanted::Point, Kind::Body) => "\nhelp: its place is `.position`",
         (Wanted::Point, Kind::Number) if is_plane => "\nhelp: write `(x, y)` for a place in ground, `body.P` for a point of a body",
         (Wanted::Point, Kind::Number) => "\nhelp: write `(x, y, z)` for a place in ground, `body.P` for a point of a body",
+        (Wanted::Point, Kind::Vector) if is_plane => "\nhelp: declare `point P = (x, y);` in the body that it belongs to",
+        (Wanted::Point, Kind::Vector) => "\nhelp: declare `point P = (x, y, z);` in the body that it belongs to",
         (Wanted::Axis, Kind::Body) => "\nhelp: write one of its axes, as in `body.z`",
         (Wanted::Axis, Kind::JointOf(_) | Kind::Joint) => "\nhelp: write an axis that it was made with, as in `joint.a`",
         (Wanted::Body, Kind::Axis | Kind::Point) => "\nhelp: write the name of the body alone",
@@ -91,6 +93,19 @@ pub(super) fn of_dimension(wanted: Dim, found: Dim) -> &'static str {
             "\nhelp: for a given force write `force name = actuator(P, Q, F);`, and for the motion `freedom name = …;`"
         }
         (Dim::TORQUE, Dim::FORCE) => "\nhelp: a torque is a force times an arm, such as `5Nm`; a force is written `at point: (0N, -5N);`",
+        (Dim::FORCE, Dim::TORQUE) => "\nhelp: a torque is written `on body: 5Nm;`, without a point",
+        (wanted, Dim::TORQUE) if wanted == Dim::TORQUE.times(Dim::TIME).per(Dim::ANGLE) => {
+            "\nhelp: it is a torque by a speed, such as `0.02Nms_rad`"
+        }
+        (wanted, found) if wanted == Dim::MASS.per(Dim::LENGTH) && found == Dim::FORCE.times(Dim::TIME).per(Dim::LENGTH) => {
+            "\nhelp: a drag grows with the square of the speed; what grows with the speed is a `damper`"
+        }
+        (Dim::ANGLE, found) if Dim::ANGLE.times(Dim::TIME) == found => {
+            "\nhelp: what `t^2` multiplies is an acceleration, such as `2rad_s2`"
+        }
+        (Dim::LENGTH, found) if Dim::LENGTH.times(Dim::TIME) == found => {
+            "\nhelp: what `t^2` multiplies is an acceleration, such as `2mm_s2`"
+        }
         (wanted, Dim::ANGLE) if wanted.times(Dim::TIME) == found => "\nhelp: write a rate, such as `2rad_s`",
         (wanted, Dim::LENGTH) if wanted.times(Dim::TIME) == found => "\nhelp: write a rate, such as `2mm_s`",
         _ => "",

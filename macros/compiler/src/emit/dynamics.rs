@@ -222,10 +222,18 @@ impl Emitter<'_> {
         }
     }
 
-    /// States at many times, and at events.
+    /// States at many times and at events, and why there is none at an instant.
     fn sweeps_of_motion(&self) -> TokenStream {
         let (state, failure) = (state_path(&self.model.name), quote!(::reuleaux::Stopped<T>));
         quote! {
+            /// Never callable: it is there for the message.
+            #[doc(hidden)]
+            pub fn solve(&self, _t: T) -> ::core::result::Result<#state<T>, #failure>
+            where
+                Self: ::reuleaux::Driven,
+            {
+                self.initial_state()
+            }
             /// Takes a state to the first instant before `t` (s) at which `event` changes its sign, or to `t`. True if there is such an
             /// instant; an event where the state begins does not count.
             ///

@@ -12,6 +12,7 @@
 pub(crate) mod basis;
 pub(crate) mod gap;
 pub(crate) mod least_squares;
+pub(crate) mod orientation;
 mod resting;
 pub(crate) mod samples;
 pub(crate) mod search;

@@ -87,6 +87,7 @@ impl Numeric<'_> {
         let declared = |q: &[f64]| {
             let mut distance = [0.0; 3];
             differing.iter().for_each(|unknown| self.add_distance(&mut distance, *unknown, q[*unknown]));
+            self.add_orientations(&mut distance, q);
             [distance[0], 0.0, 0.0]
         };
         compare(&declared(one), &declared(other)) == Ordering::Equal
@@ -100,6 +101,7 @@ impl Numeric<'_> {
             for unknown in &differing {
                 self.add_distance(&mut distance, *unknown, q[*unknown]);
             }
+            self.add_orientations(&mut distance, q);
             distance
         };
         compare(&part(one), &part(other)) == Ordering::Equal

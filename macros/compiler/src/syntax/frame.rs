@@ -16,7 +16,11 @@ use syn::{Token, token};
 /// `ground { … }`
 pub(super) fn ground(input: ParseStream, docs: Docs, diag: &mut Diag) -> Parsed<FrameItem> {
     let name = Ident::parse_any(input)?;
-    frame(input, docs, (name, Vec::new()), "`{` and the points of ground", diag)
+    let mut ground = frame(input, docs, (name, Vec::new()), "`{` and the points of ground", diag)?;
+    if let Some(item) = ground.masses.drain(..).next() {
+        diag.refuse::<()>(&item.what, GrammarFact::MassOfGround { word: item.what.to_string() });
+    }
+    Ok(ground)
 }
 
 /// `body name { … }`

@@ -203,6 +203,9 @@ fn unknown_item<T>(input: ParseStream, keyword: &Ident, ambient: Ambient) -> Par
     let rest = input.fork();
     Ident::parse_any(&rest)?;
     let name = rest.parse::<Ident>().ok().map(|name| name.to_string());
+    if let (true, Some(name)) = (["point", "axis"].contains(&word.as_str()), &name) {
+        return wrong(keyword, GrammarFact::FeatureOutside { word, name: name.clone() });
+    }
     // A call of a constraint or a force lacks the keyword, and its name or `=`.
     let is_call = if name.is_some() { rest.peek(Token![=]) && rest.peek2(token::Paren) } else { rest.peek(token::Paren) };
     if is_call {

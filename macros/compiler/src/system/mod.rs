@@ -79,8 +79,8 @@ pub struct System {
     pub further_angles: Vec<FurtherAngle>,
     /// In space: true if axes of a joint point against each other, as their declared starts do.
     pub has_opposed: bool,
-    /// In space: bodies without a declared start that a drive turns, and those that keep the orientation of such a body.
-    pub driven: BTreeSet<usize>,
+    /// In space: bodies whose declared orientation the start of no angle says, since nothing says how the body is turned that they are reached from.
+    pub turned: BTreeSet<usize>,
     /// Equations of motion by ω in the axes of the bodies that are free to turn, if forces decide the motion and there are such bodies.
     pub by_spins: Option<EquationsBySpins>,
 }
@@ -296,7 +296,7 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
         Ambient::Plane => in_plane(model, &mut arena),
         Ambient::Space => forest::reduce(model, &mut arena, forest::FreeSpeeds::OfQuaternion),
     };
-    let Choice { coordinates, mut rows, outputs, frames, reached, links, balance, loads, off_starts, further_angles, has_opposed, driven } =
+    let Choice { coordinates, mut rows, outputs, frames, reached, links, balance, loads, off_starts, further_angles, has_opposed, turned } =
         choice;
     rows::integrate(model, &mut arena, &coordinates, &mut rows, diag);
     rows::begin_at_start(model, &mut arena, &coordinates, &mut rows);
@@ -351,7 +351,7 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
         off_starts,
         further_angles,
         has_opposed,
-        driven,
+        turned,
         by_spins,
     })
 }
@@ -387,8 +387,8 @@ struct Choice {
     further_angles: Vec<FurtherAngle>,
     /// True if axes of a joint point against each other, as their declared starts do.
     has_opposed: bool,
-    /// In space: bodies without a declared start that a drive turns.
-    driven: BTreeSet<usize>,
+    /// In space: bodies whose declared orientation the start of no angle says.
+    turned: BTreeSet<usize>,
     /// Forces by the rates of the unknowns, where they decide the motion.
     balance: Option<Balance>,
     /// In space: the equations of the loads.
@@ -408,7 +408,7 @@ fn in_plane(model: &Model, arena: &mut Arena) -> Choice {
         off_starts: Vec::new(),
         further_angles: Vec::new(),
         has_opposed: false,
-        driven: BTreeSet::new(),
+        turned: BTreeSet::new(),
         loads: None,
     }
 }

@@ -69,3 +69,87 @@ fn a_redundant_hinge_does_not_choose_the_assembly() {
         assert!(compiled.assembly.warnings.is_empty(), "{:?}", compiled.assembly.warnings);
     }
 }
+
+/// An arm of 250 mm in a plane that is turned anyhow, and a rod of 350 mm to a pin at (400 mm, −200 mm) of this plane. Nothing is declared, so that
+/// the hinge is as near to 0 as it can be wherever its axis points: tip · pin = (250² + 400² + 200² − 350²)/2 mm².
+#[test]
+fn a_hinge_without_a_start_begins_near_its_zero_wherever_its_axis_points() {
+    let (pin, product) = (400f64.hypot(200.0), (250f64.powi(2) + 400f64.powi(2) + 200f64.powi(2) - 350f64.powi(2)) / 2.0);
+    // The arm turns about y: at an angle its tip is 250 mm (cos, −sin) in the plane.
+    let right = f64::atan2(200.0, 400.0) - (product / (250.0 * pin)).acos();
+    for turn in 0..48 {
+        let angles = [7.0, 31.0, 53.0].map(|step: f64| step * f64::from(turn));
+        let [a, b, c] = angles;
+        for (joint, sign) in
+            [("ground.position, ground.a, arm.position, arm.a", 1.0), ("arm.position, arm.a, ground.position, ground.a", -1.0)]
+        {
+            // Columns of a turn by a about z, b about x and c about z.
+            let source = format!(
+                "mechanism Arm in space {{
+                    let a = {a}deg;  let b = {b}deg;  let c = {c}deg;
+                    let x1 = cos(a) * cos(c) - sin(a) * cos(b) * sin(c);  let x2 = sin(a) * cos(c) + cos(a) * cos(b) * sin(c);
+                    let x3 = sin(b) * sin(c);
+                    let y1 = -cos(a) * sin(c) - sin(a) * cos(b) * cos(c);  let y2 = -sin(a) * sin(c) + cos(a) * cos(b) * cos(c);
+                    let y3 = sin(b) * cos(c);
+                    let z1 = sin(a) * sin(b);  let z2 = -cos(a) * sin(b);  let z3 = cos(b);
+                    ground {{ axis a = (y1, y2, y3) from (x1, x2, x3); }}
+                    body arm {{ axis a = (0, 1, 0) from (1, 0, 0); point tip = (250mm, 0mm, 0mm); }}
+                    body bob {{ axis z = (0, 0, 1); }}
+                    joint hip = revolute({joint});
+                    joint rod = distance(arm.tip, bob.position, 350mm);
+                    joint level = absolute_orientation((0, 0, 1), bob.z);
+                    drive x = drive_x(bob.position, 400mm * x1 - 200mm * z1);
+                    drive y = drive_y(bob.position, 400mm * x2 - 200mm * z2);
+                    drive z = drive_z(bob.position, 400mm * x3 - 200mm * z3 + 1mm_s * t); }}"
+            );
+            let found = sign * start(&accepted(&source), "arm.angle");
+            assert!((found - right).abs() < 1e-9, "turned by {angles:?}, {joint}: {found}, not {right}");
+        }
+    }
+}
+
+/// Two links, the first without a start: the second is turned against ground as declared, wherever the first is.
+#[test]
+fn a_declared_orientation_counts_against_ground_beside_a_body_without_a_start() {
+    for (first, second) in [(100.0, -50.0), (100.0, 50.0), (-140.0, 20.0), (70.0, 160.0)] {
+        for (joint, sign) in [("a.E, a.z, b.position, b.z", 1.0), ("b.position, b.z, a.E, a.z", -1.0)] {
+            let source = format!(
+                "mechanism Links in space {{
+                    ground {{ axis z = (0, 0, 1); axis x = (1, 0, 0); axis y = (0, 1, 0); }}
+                    body a {{ axis z = (0, 0, 1); point E = (1m, 0m, 0m); }}
+                    body b {{ axis z = (0, 0, 1); point E = (1m, 0m, 0m); start orientation = turn((0, 0, 1), {second}deg); }}
+                    joint ja = revolute(ground.position, ground.z, a.position, a.z);
+                    joint jb = revolute({joint});
+                    joint pa = point_on_plane(ground.position, ground.y, a.E, 1m * sin({first}deg));
+                    joint pb = point_on_plane(ground.position, ground.x, b.E, 1m * (cos({first}deg) + cos({second}deg))); }}"
+            );
+            let compiled = accepted(&source);
+            let whole = start(&compiled, "a.angle") + sign * start(&compiled, "b.angle");
+            let off = (whole.to_degrees() - second) / 360.0;
+            assert!((off - off.round()).abs() < 1e-12, "{first}°, {second}°, {joint}: {}°", whole.to_degrees());
+            assert!(compiled.assembly.warnings.is_empty(), "{:?}", compiled.assembly.warnings);
+        }
+    }
+}
+
+/// Of the two assemblies of a rod between a ball on a slide and a cross the help names one that is accepted as it is written.
+#[test]
+fn the_start_that_the_help_names_is_one_of_space() {
+    let source = |start: &str| {
+        format!(
+            "mechanism Rod in space {{
+                ground {{ axis z = (0, 0, 1) from (1, 0, 0); axis s = (1, 0, 0) from (0, 1, 0); point G = (0mm, 100mm, -150mm); }}
+                body rod {{ axis b = (0, 0, 1) from (1, 0, 0); point tip = (320mm, 0mm, 0mm); }}
+                body bob {{ axis s = (1, 0, 0) from (0, 1, 0); {start} }}
+                joint hip = universal(ground.position, ground.z, rod.position, rod.b);
+                joint ball = spherical(rod.tip, bob.position);
+                joint slide = translational(ground.G, ground.s, bob.position, bob.s); }}"
+        )
+    };
+    let refused = crate::refused(&source("")).to_string();
+    assert!(refused.contains("start slide.displacement = 264.4mm;"), "{refused}");
+    let declared = source("").replace("joint slide", "start slide.displacement = 264.4mm; joint slide");
+    assert!(
+        (start(&accepted(&declared), "bob.displacement") - f64::sqrt(0.32f64.powi(2) - 0.1f64.powi(2) - 0.15f64.powi(2))).abs() < 1e-12
+    );
+}

@@ -1,7 +1,7 @@
 //! Messages about loops, arrays and parts.
 
 use super::words::{did_you_mean, first_of};
-use crate::diag::ArrayFact;
+use crate::diag::{ArrayFact, Kind};
 use std::fmt::{Display, Formatter, Result};
 
 impl Display for ArrayFact {
@@ -14,6 +14,9 @@ impl Display for ArrayFact {
                 write!(f, "`{name}` is declared twice\nhelp: every loop around it needs an index of its own, such as `[{variable}]`")
             }
             ArrayFact::ArrayWithoutIndex { name } => write!(f, "`{name}` is an array\nhelp: say which one, such as `{name}[0]`"),
+            ArrayFact::NoArray { found: found @ (Kind::Point | Kind::Vector), is_member: false } => {
+                write!(f, "{found} has no index\nhelp: its components are `.x` and `.y`, in space `.z` too")
+            }
             ArrayFact::NoArray { found, is_member: false } => write!(f, "{found} has no index\nhelp: take `[…]` away"),
             ArrayFact::NoArray { found, is_member: true } => write!(f, "{found} has no further index\nhelp: take the last `[…]` away"),
             ArrayFact::IndexOutOfRange { name, index, ends, known } => {

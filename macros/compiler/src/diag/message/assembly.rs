@@ -64,8 +64,11 @@ impl Display for AssemblyFact {
                 if coordinate.name() == "z" {
                     return write!(f, "\nhelp: write `start z = {}mm;` in {of}", significant(values[0] * 1e3));
                 }
-                let [x, y] = place.map(|value| significant(value * 1e3));
-                write!(f, "\nhelp: write `start position = ({x}mm, {y}mm);` in {of}")
+                if *coordinate == Role::Displacement {
+                    return write!(f, "\nhelp: write `start {owner}.displacement = {}mm;` outside bodies", significant(values[0] * 1e3));
+                }
+                let place: Vec<String> = place.iter().map(|value| format!("{}mm", significant(value * 1e3))).collect();
+                write!(f, "\nhelp: write `start position = ({});` in {of}", place.join(", "))
             }
             AssemblyFact::MotionEnds { joint, driven, time, in_line, until, declared } => {
                 match driven.as_slice() {

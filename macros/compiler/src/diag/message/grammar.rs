@@ -52,6 +52,21 @@ impl Display for GrammarFact {
                     ("an expression", "`.`") => write!(f, "\nhelp: a number begins with a digit, such as `0.5`"),
                     ("the name of the joint", "`=`") => write!(f, "\nhelp: write `joint name = …`"),
                     ("the name of the drive", "`=`") => write!(f, "\nhelp: write `drive name = …`"),
+                    ("`=`", "`:`") => write!(f, "\nhelp: write `=`; `:` stands between a name and its dimension"),
+                    ("`{` and the points of the body", _) => {
+                        write!(
+                            f,
+                            "\nhelp: write `body name {{ … }}`, each body with a name of one word; without points it is `body name {{}}`"
+                        )
+                    }
+                    ("`:` and a dimension such as `Length`", "`=`") => write!(f, "\nhelp: write `param name: Length = …;`"),
+                    ("`=` and the default of the parameter", _) => {
+                        write!(f, "\nhelp: each parameter has a default, as in `param name: Length = 50mm;`")
+                    }
+                    ("`x`, `y`, `angle` or `position`", "`=`") => {
+                        write!(f, "\nhelp: say of which coordinate, as in `start x = 200mm;` or `start position = (200mm, 0mm);`")
+                    }
+                    (what, "`-`") if what.starts_with("an item: ") => write!(f, "\nhelp: a comment begins with `//`"),
                     _ => Ok(()),
                 }
             }
@@ -158,7 +173,17 @@ impl Display for GrammarFact {
                 write!(f, "`{written}` is a constant of Rust\nhelp: write `{instead}`")
             }
             GrammarFact::UnknownBodyItem { word, is_point: true } => {
-                write!(f, "`{word}` is no item of a body\nhelp: write `point {word} = (…);` for a point")
+                write!(f, "`{word}` is no item of a body")?;
+                match crate::diag::nearest(word, ["mass", "center", "inertia"].into_iter()) {
+                    Some(near) => write!(f, "\nhelp: did you mean `{near}`?"),
+                    None => write!(f, "\nhelp: write `point {word} = (…);` for a point"),
+                }
+            }
+            GrammarFact::MassOfGround { word } => {
+                write!(f, "ground does not move: its `{word}` would change nothing\nhelp: take it away, or write it in a body")
+            }
+            GrammarFact::FeatureOutside { word, name } => {
+                write!(f, "a `{word}` is fixed in ground or in a body\nhelp: write it there, as in `ground {{ {word} {name} = …; }}`")
             }
             GrammarFact::UnknownBodyItem { word, .. } => {
                 write!(f, "`{word}` is no item of a body")?;

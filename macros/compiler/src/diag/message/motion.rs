@@ -1,6 +1,7 @@
 //! Messages about forces, drives and freedoms.
 
 use super::words::{are, did_you_mean, list, listed};
+use crate::diag::Kind;
 use crate::diag::fact::{JerkObstacle, JointValue, MotionFact, Word};
 use crate::quantity::Ambient;
 use std::fmt::{Display, Formatter, Result};
@@ -70,7 +71,11 @@ impl Display for MotionFact {
             }
             MotionFact::ForceAtNoPoint { found, instead } => {
                 write!(f, "a force acts at a point, found {found}")?;
-                instead.as_ref().map_or(Ok(()), |instead| write!(f, "\nhelp: write `at {instead}: …;`"))
+                match instead {
+                    Some(instead) => write!(f, "\nhelp: write `at {instead}: …;`"),
+                    None if *found == Kind::Vector => write!(f, "\nhelp: declare `point P = …;` in the body on which it acts"),
+                    None => Ok(()),
+                }
             }
             MotionFact::TorqueOnNoBody { found, instead } => {
                 write!(f, "a torque acts on a body, found {found}")?;

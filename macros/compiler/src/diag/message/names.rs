@@ -46,6 +46,18 @@ impl Display for NameFact {
                 write!(f, "\nhelp: `mechanism.loads(&state)` has a method for each joint, with `force` and `torque`, ")?;
                 write!(f, "and for each drive, with `effort` and `power`")
             }
+            NameFact::UnknownField { owner, name, .. } if name == "angle" && owner == "a `revolute` joint" => {
+                write!(
+                    f,
+                    "{owner} has no `angle` in the plane\nhelp: bodies have one: write a difference, such as `rod.angle - crank.angle`"
+                )
+            }
+            NameFact::UnknownField { owner, name, .. } if name == "displacement" && owner == "a `translational` joint" => {
+                write!(
+                    f,
+                    "{owner} has no `displacement` in the plane\nhelp: bodies have a place: write `slider.x`, or `dot(guide.u, guide.Q - guide.P)`"
+                )
+            }
             NameFact::UnknownField { owner, name, near, known } => {
                 write!(f, "{owner} has no `{name}`{}", did_you_mean(near))?;
                 if near.is_none() && known.count > 0 {
@@ -76,6 +88,18 @@ impl Display for NameFact {
             }
             NameFact::UnknownFunction { name, .. } if name == "tanh" => {
                 write!(f, "no function is called `tanh`\nhelp: write `x / sqrt(1 + x^2)`, which leads from -1 to 1 as smoothly")
+            }
+            NameFact::UnknownFunction { name, .. } if name == "sum" => {
+                write!(
+                    f,
+                    "no function is called `sum`\nhelp: write `a + b`; a sum over an array is `let s[0] = x[0]; for i in 1..n {{ let s[i] = s[i - 1] + x[i]; }}`"
+                )
+            }
+            NameFact::UnknownFunction { name, .. } if ["deg", "degrees", "to_degrees"].contains(&name.as_str()) => {
+                write!(
+                    f,
+                    "no function is called `{name}`: an angle is an angle, in whatever unit\nhelp: write `.to_degrees()` in Rust, where outputs are in rad"
+                )
             }
             NameFact::UnknownFunction { name, .. } if name == "jerk" => {
                 write!(f, "no function is called `jerk`\nhelp: write `output name = … with jerk;` for the third derivative of an output")
@@ -155,8 +179,9 @@ impl Display for NameFact {
             NameFact::Duplicate { name, first } => write!(f, "the name `{name}` is taken: {first} has it\nhelp: choose another name"),
             NameFact::DuplicateMark { name, body } => write!(f, "`{body}` has another `{name}` already\nhelp: choose another name"),
             NameFact::DuplicateStart { name, body } => {
-                write!(f, "the start of `{body}` gives `{name}` twice\nhelp: take one away")?;
-                if name == Role::Angle.name() { Ok(()) } else { write!(f, "; `position` is both `x` and `y`") }
+                let is_start = !["mass", "center", "inertia"].contains(&name.as_str());
+                write!(f, "{}`{body}` gives `{name}` twice\nhelp: take one away", if is_start { "the start of " } else { "" })?;
+                if !is_start || name == Role::Angle.name() { Ok(()) } else { write!(f, "; `position` is both `x` and `y`") }
             }
             NameFact::DuplicateRange => write!(f, "there is one range of time only\nhelp: take one of them away"),
             NameFact::DuplicateGround => write!(f, "there is one ground only\nhelp: put all its points and axes into one `ground {{ … }}`"),

@@ -46,6 +46,8 @@ pub(super) struct Forest<'a> {
     placed: BTreeSet<usize>,
     /// Bodies without a declared start that a drive turns, and those that keep the orientation of such a body.
     driven: BTreeSet<usize>,
+    /// Bodies whose declared orientation the start of no angle says, since nothing says how the body is turned that they are reached from.
+    turned: BTreeSet<usize>,
     /// Angles between triads.
     angles: Vec<(Triad, Triad, Expr)>,
     /// Displacements along lines that place a body, by number of the quantity.
@@ -101,6 +103,7 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena, free_speeds: FreeSpeeds) 
         origins: BTreeMap::new(),
         placed: BTreeSet::new(),
         driven: BTreeSet::new(),
+        turned: BTreeSet::new(),
         angles: Vec::new(),
         displacements: Lookup::default(),
         further_angles: BTreeMap::new(),
@@ -144,7 +147,7 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena, free_speeds: FreeSpeeds) 
         off_starts,
         further_angles,
         has_opposed: forest.has_opposed,
-        driven: forest.driven,
+        turned: forest.turned,
     }
 }
 

@@ -38,9 +38,8 @@ impl Forest<'_> {
         if by_drive.is_some() {
             self.driven.insert(body);
         }
-        // Nothing says how a body without a declared orientation is turned against one that is driven.
-        let is_told = self.has_orientation(body) || !inner.body.is_some_and(|from| self.driven.contains(&from));
-        let start = if is_told { by_place.or_else(|| self.start_angle(one, two)) } else { by_place };
+        let (is_told, is_declared) = (self.says_angle(inner, body), self.has_orientation(body));
+        let start = if is_told { by_place.or_else(|| self.start_angle(one, two, is_declared)) } else { by_place };
         let angle = by_drive.or(start).unwrap_or_else(|| self.arena.integer(0));
         let angle = against(self, angle);
         self.note_start(inner, outer, Some(angle));
@@ -79,7 +78,8 @@ impl Forest<'_> {
         let Some(body) = outer.body else { return };
         let (inner, outer) = (self.triad_along(inner), self.triad_along(outer));
         let axes = self.in_ground(inner);
-        let [first, second] = self.start_cross(inner, outer);
+        let is_told = self.says_angle(inner, body);
+        let [first, second] = if is_told { self.start_cross(inner, outer) } else { [None, None] };
         let (alpha, one) = self.unknown(body, Role::Angle, first, Some((joint, "angle_1")));
         let (beta, two) = self.unknown(body, Role::Angle, second, Some((joint, "angle_2")));
         let [x, y, z] = self.about(one, axes);

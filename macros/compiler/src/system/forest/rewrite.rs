@@ -164,7 +164,7 @@ impl Forest<'_> {
                     return angle;
                 }
                 let body = two.body.or(one.body).unwrap_or(0);
-                let start = self.declared_angle(one, two).or_else(|| self.start_angle(one, two));
+                let start = self.declared_angle(one, two).or_else(|| self.start_angle(one, two, true));
                 let (_, unknown) = self.unknown(body, Role::Angle, start, Some((self.a_joint_of(body), "angle")));
                 self.further_angles.insert(number, unknown);
                 unknown

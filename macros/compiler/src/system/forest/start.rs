@@ -9,6 +9,9 @@ use crate::quantity::{Ambient, Role};
 /// Unit vectors are opposed at the start if their product is below this.
 const OPPOSED: f64 = -1e-9;
 
+/// Unit vectors are parallel at the start if their product is above this.
+const PARALLEL: f64 = 1.0 - 1e-9;
+
 /// A vector is parallel to an axis if the square of its part across the axis is at most this share of its own square.
 const ALONG: f64 = 1e-12;
 
@@ -163,12 +166,23 @@ impl Forest<'_> {
         each.collect()
     }
 
-    /// Angle of the second triad against the first at the declared start; `None` if it is zero.
-    pub(super) fn start_angle(&mut self, one: Triad, two: Triad) -> Option<Expr> {
-        let [x, y] = [0, 1].map(|k| self.placed_at_start(Place { body: one.body, local: one.axes[k] }));
-        let other = self.placed_at_start(Place { body: two.body, local: two.axes[0] });
-        let (s, c) = (dot(self.arena, y, other), dot(self.arena, x, other));
-        self.angle_of(s, c)
+    /// Angle of the second triad against the first at the declared start; `None` if it is zero. If the z axes are not parallel there, the
+    /// angle that turns the new body least from its declared orientation, and zero if it has none.
+    ///
+    /// ```text
+    /// sin = y₁ · x₂ − x₁ · y₂      cos = x₁ · x₂ + y₁ · y₂
+    /// ```
+    pub(super) fn start_angle(&mut self, one: Triad, two: Triad, is_declared: bool) -> Option<Expr> {
+        let [[x, y, z], [xo, yo, zo]] =
+            [one, two].map(|triad| triad.axes.map(|axis| self.placed_at_start(Place { body: triad.body, local: axis })));
+        let [s, c] = [y, x].map(|axis| dot(self.arena, axis, xo));
+        let product = dot(self.arena, z, zo);
+        if self.at_defaults(product).is_none_or(|product| product > PARALLEL) {
+            return self.angle_of(s, c);
+        }
+        let [a, b] = [x, y].map(|axis| dot(self.arena, axis, yo));
+        let (s, c) = (self.arena.sub(s, a), self.arena.add(c, b));
+        self.angle_of(s, c).filter(|_| is_declared)
     }
 
     /// Angle of the triad of a new body against the one that it is reached from, at the start: by the declared place of its origin, if its
@@ -269,6 +283,28 @@ impl Forest<'_> {
         self.started.get(&body).is_some_and(|started| !started.is_hinged && self.is_orientation_declared(started.inner.body))
     }
 
+    /// True if the orientations of a new body and of the one that it is reached from say the angle of their joint at the start. They do not if
+    /// the new one has none and the other is driven, nor if the new one has one and nothing says how the other is turned: such a body is noted.
+    pub(super) fn says_angle(&mut self, inner: Triad, body: usize) -> bool {
+        let is_driven = |from: usize| self.driven.contains(&from);
+        if !self.has_orientation(body) {
+            return !inner.body.is_some_and(is_driven);
+        }
+        let is_told = |from| is_driven(from) || self.placed.contains(&from) || self.has_orientation(from) || self.is_unturned(Some(from));
+        let is_told = inner.body.is_none_or(is_told);
+        if !is_told {
+            self.turned.insert(body);
+        }
+        is_told
+    }
+
+    /// True for ground, and for a body that keeps its orientation.
+    fn is_unturned(&self, body: Option<usize>) -> bool {
+        let Some(body) = body else { return true };
+        let keeps = |started: &Started| !started.is_hinged && self.is_unturned(started.inner.body);
+        !self.has_orientation(body) && self.started.get(&body).is_some_and(keeps)
+    }
+
     /// True if the orientation of a body at the start is declared.
     pub(super) fn has_orientation(&self, body: usize) -> bool {
         self.model.bodies[body].coordinates.iter().any(|one| matches!(one.role, Role::Quaternion(_)) && one.start.is_some())
@@ -302,8 +338,8 @@ impl Forest<'_> {
 
     /// Angles about two perpendicular axes at the declared start.
     pub(super) fn start_cross(&mut self, inner: Triad, outer: Triad) -> [Option<Expr>; 2] {
-        let [x, y, z] = [0, 1, 2].map(|k| self.at_start(Place { body: inner.body, local: inner.axes[k] }));
-        let [xo, _, zo] = [0, 1, 2].map(|k| self.at_start(Place { body: outer.body, local: outer.axes[k] }));
+        let [x, y, z] = [0, 1, 2].map(|k| self.placed_at_start(Place { body: inner.body, local: inner.axes[k] }));
+        let [xo, _, zo] = [0, 1, 2].map(|k| self.placed_at_start(Place { body: outer.body, local: outer.axes[k] }));
         // The second axis is −y turned by the first angle: its components are sin α and −cos α.
         let (s, c) = (dot(self.arena, x, zo), dot(self.arena, y, zo));
         let c = self.arena.neg(c);
