@@ -30,6 +30,9 @@ const SHARED: f64 = 3.0;
 /// Four-bars of the long chains.
 const LONG: [usize; 3] = [2, 100, 500];
 
+/// Four-bars of the chains that are released.
+const RELEASED: [usize; 2] = [10, 40];
+
 /// Loops of the long chains in space.
 const LONG_IN_SPACE: [usize; 3] = [2, 50, 100];
 
@@ -53,10 +56,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("40 such chains".to_owned(), chains(40)),
     ];
     let long = LONG.iter().map(|&four_bars| (format!("a chain of {four_bars} four-bars"), chain(0, four_bars)));
+    let released = RELEASED.iter().map(|&four_bars| (format!("a released chain of {four_bars} four-bars"), released(four_bars)));
     let in_space = [(ARM.to_owned(), written("arm.rs", "Arm", 0)?), (STEWART.to_owned(), STEWART_PLATFORM.to_owned())];
     let long_in_space = LONG_IN_SPACE.map(|loops| Ok((in_words(loops), written("chain.rs", "Chain", loops)?)));
     let long_in_space = long_in_space.into_iter().collect::<Result<Vec<_>, Box<dyn Error>>>()?;
-    let crates: Vec<(String, String)> = crates.into_iter().chain(long).chain(in_space).chain(long_in_space).collect();
+    let crates: Vec<(String, String)> = crates.into_iter().chain(long).chain(released).chain(in_space).chain(long_in_space).collect();
     let mut columns = Vec::new();
     for (name, profile, command) in COLUMNS {
         let package = Package::new(profile)?;
@@ -196,6 +200,30 @@ fn chain(number: usize, four_bars: usize) -> String {
 pub fn tip_{number}(t: f64) -> Option<[f64; 2]> {{
     let chain = Chain{number}::default();
     Some(chain.tip(&chain.solve(t).ok()?).value.into())
+}}
+"
+    )
+}
+
+/// The same with masses and a freedom instead of the drive, and a function that follows its motion and finds its loads.
+fn released(four_bars: usize) -> String {
+    let mass = "mass = 1kg; center = (0.5m, 0m); inertia = rod(1m);";
+    let driven = chain(0, four_bars);
+    let (declared, _) = driven.split_once("pub fn").unwrap_or((&driven, ""));
+    let declared = declared
+        .replace("body crank[i] { point O = (0m, 0m);", &format!("body crank[i] {{ {mass} point O = (0m, 0m);"))
+        .replace("body coupler[i] { point A = (0m, 0m);", &format!("body coupler[i] {{ {mass} point A = (0m, 0m);"))
+        .replace(
+            "drive motor = drive_angle(crank[0], 1rad + speed * t);",
+            "gravity = (0, -9.81m_s2); freedom swing = crank[0].angle from 1rad at speed;",
+        );
+    format!(
+        "{declared}
+pub fn tip_0(t: f64) -> Option<[f64; 2]> {{
+    let chain = Chain0::default();
+    let mut state = chain.initial_state().ok()?;
+    chain.advance(&mut state, t, &mut reuleaux::Integrator::new(1e-9)).ok()?;
+    Some([chain.tip(&state).value.x, chain.loads(&state).multipliers[0]])
 }}
 "
     )

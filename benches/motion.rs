@@ -10,7 +10,7 @@ use std::rc::Rc;
 
 use reuleaux::Integrator;
 use reuleaux_benches::measured;
-use reuleaux_benches::released::{andrews, bricard, follow, four_bar, top};
+use reuleaux_benches::released::{andrews, bricard, chain, follow, four_bar, top};
 use reuleaux_benches::served::{self, Way};
 use serde_json::{Value, json};
 
@@ -34,7 +34,10 @@ struct Problem {
 fn main() -> Result<(), Box<dyn Error>> {
     let problems = [of_andrews()?, of_four_bar()?, of_bricard()?, of_top()?];
     match std::env::args().nth(1).as_deref() {
-        None => tables(&problems),
+        None => {
+            tables(&problems);
+            chains()?;
+        }
         Some("data") => println!("{}", json!(problems.iter().map(described).collect::<Vec<_>>())),
         Some("turns") => served::serve(|name| problems.iter().find(|problem| problem.name == name).map(ways))?,
         Some(_) => return Err("there is `data` and `turns`".into()),
@@ -80,6 +83,34 @@ fn print_beside(problem: &Problem) {
             println!("| {name} | {who} | {tolerance:e} | {error:.0e} | {steps} | {evaluations} | {ms:.3} | {ratio:.2} |");
         }
     }
+}
+
+/// What a step of a long chain takes: all that a step does besides its twelve accelerations grows with the equations between coordinates.
+fn chains() -> Result<(), Box<dyn Error>> {
+    println!("\n| half a second at 1e-9 | steps | µs for each | drift of energy, J |\n| --- | ---: | ---: | ---: |");
+    macro_rules! row {
+        ($name:literal, $mechanism:expr) => {
+            let mechanism = $mechanism;
+            let start = mechanism.initial_state()?;
+            let run = |integrator: &mut Integrator| {
+                let mut state = start.clone();
+                mechanism.advance(&mut state, 0.5, integrator).unwrap_or_else(|stopped| panic!("{stopped}"));
+                let [before, after] = [&start, &state].map(|state| mechanism.energy(state)).map(|energy| energy.kinetic + energy.potential);
+                (after - before).abs()
+            };
+            let mut integrator = Integrator::new(1e-9);
+            let drift = run(&mut integrator);
+            let mut again = || {
+                black_box(run(&mut Integrator::new(black_box(1e-9))));
+            };
+            let steps = integrator.accepted;
+            println!("| {} | {steps} | {:.1} | {drift:.0e} |", $name, measured(&mut [&mut again], 2)[0] / 1e3 / steps as f64);
+        };
+    }
+    row!("a four-bar", chain::OfOne::default());
+    row!("a chain of 10", chain::OfTen::default());
+    row!("a chain of 40", chain::OfForty::default());
+    Ok(())
 }
 
 /// The words for a contender at a tolerance.

@@ -2,6 +2,7 @@
 
 pub mod andrews;
 pub mod bricard;
+pub mod chain;
 pub mod four_bar;
 pub mod top;
 
