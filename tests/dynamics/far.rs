@@ -1,6 +1,6 @@
 //! Initial states at parameters far from the declared ones.
 
-use reuleaux::mechanism;
+use reuleaux::{Stopped, mechanism};
 
 /// A four-bar whose crank is released or driven.
 macro_rules! four_bar {
@@ -106,4 +106,24 @@ fn released_and_driven_mechanisms_start_alike_at_any_parameters() {
     }
     println!("{same} the same, {refused} refused, {driven_only} found by the drive only");
     assert!(same > 90 && refused > 10 && driven_only < 25, "{same} {refused} {driven_only}");
+}
+
+/// The loop opens where coupler and rocker are in line: with the crank at 0.3 rad its tip is 350 + 300 mm from the other pivot.
+#[test]
+fn the_failure_says_where_the_assembly_of_the_start_ends() {
+    let longest = 0.65_f64;
+    let reach = |crank: f64| (crank.powi(2) + 0.16 - 2.0 * crank * 0.4 * 0.3_f64.cos()).sqrt();
+    let (mut low, mut high) = (0.1, 2.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if reach(middle) > longest { high = middle } else { low = middle }
+    }
+    let share = (low - 0.1) / 1.9;
+    match (Released { crank_length: 2.0, ..Released::default() }).initial_state() {
+        Err(Stopped::AssemblyEnds { share: said, joint }) => {
+            assert!((said - share).abs() < 1e-6, "{said}, not {share}");
+            assert!(["a", "b", "c", "o"].contains(&joint), "{joint}");
+        }
+        other => panic!("{other:?}"),
+    }
 }

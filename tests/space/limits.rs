@@ -381,12 +381,12 @@ mechanism! {
         body third { axis z = (0, 0, 1) from (1, 0, 0);  point end = (length, 0mm, 0mm);  axis end_z = (0, -sin(twist), cos(twist)) from (1, 0, 0); }
         body fourth {
             axis z = (0, 0, 1) from (1, 0, 0);  point end = (other, 0mm, 0mm);  axis end_z = (0, -sin(other_twist), cos(other_twist)) from (1, 0, 0);
-            start orientation = turn((0, 0, 1), -60deg) * turn((1, 0, 0), -other_twist);
         }
         joint one = revolute(ground.end, ground.end_z, second.position, second.z);
         joint two = revolute(second.end, second.end_z, third.position, third.z);
         joint three = revolute(third.end, third.end_z, fourth.position, fourth.z);
         redundant joint four = revolute(fourth.end, fourth.end_z, ground.position, ground.z);
+        start three.angle = -60deg;
         drive motor = drive_rotation(one, 60deg + 1deg_s * t);
         output driven = one.angle;
         output next = two.angle;

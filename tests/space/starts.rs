@@ -103,7 +103,7 @@ mechanism! {
         ground { point O = (x, -x, 0.5 * x);  axis a = (1, 0, 0.2) from (0, 1, 0);  point E = (x + 600mm, -x, 0.5 * x + 120mm + 50mm); }
         body input { axis a = (0, 0, 1) from (1, 0, 0);  point end = (0mm, 0mm, 200mm);  axis arm = (1, 0, 0); }
         body tube {
-            start orientation = turn((-0.8905, -0.8905, 1), -116deg);
+            start orientation = turn((0, 1, 0), -18deg);
             axis a = (1, 0, 0) from (0, 0, 1);  axis arm = (0, 0, 1);
         }
         body sleeve { axis a = (1, 0, 0) from (0, 0, 1);  point end = (200mm, 0mm, 0mm);  axis arm = (0, 0, 1); }

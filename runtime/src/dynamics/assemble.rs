@@ -9,7 +9,7 @@ use nalgebra::SVector;
 use super::accelerate::{lengths, redundant};
 use super::equations::{Constraints, Dynamics};
 use super::integrator::least;
-use super::partition::Partition;
+use super::partition::{Partition, weakest};
 use super::places::{largest, moved, picked, put};
 use super::project::{Open, gap, levels, project_onto};
 use crate::number::Scalar;
@@ -34,6 +34,9 @@ const SHORTEST: f64 = 1.0 / 4096.0;
 
 /// Shortest step along the tangent, as a part of the way.
 const SHORTEST_STEP: f64 = 1e-9;
+
+/// Where a row keeps less than this part of itself beside the others, a branch ends.
+const NEARLY_DEPENDENT: f64 = 0.01;
 
 /// Moves a place from the declared start to the initial values and the parameters, and sets its speeds.
 pub(super) fn assemble<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
@@ -128,9 +131,30 @@ where
     if in_parts(mechanism, (&mut place, &mut speeds)) && accepts(place, speeds) {
         return Ok(());
     }
+    let (row, left) = weakest_at(mechanism, reached, &here);
+    if left < T::of(NEARLY_DEPENDENT) {
+        return Err(Open::After(row, reached));
+    }
     let [of_positions, _] = levels(&S::LEVELS);
     let (row, residual) = gap(&mechanism.initial(&here, T::ZERO), &of_positions);
     Err(Open::Residual(row, residual))
+}
+
+/// The row that depends most on the others after a share of the way, and its remainder relative to the declared start.
+fn weakest_at<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    share: T,
+    q: &SVector<T, N>,
+) -> (usize, T)
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let [here, declared] = [(share, *q), (T::ZERO, mechanism.start())].map(|(share, q)| {
+        let between = mechanism.interpolated(share);
+        between.as_ref().unwrap_or(mechanism).initial(&q, T::ZERO).jacobian
+    });
+    weakest(&here, &declared, &lengths(mechanism), &redundant(mechanism))
 }
 
 /// The sign of det J, which two assemblies have opposite that meet where a branch ends; `None` if joints are redundant, or J is not regular.

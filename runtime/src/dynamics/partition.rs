@@ -217,7 +217,8 @@ impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
                 }
             }
             let (entry, size, row, column) = best;
-            if !(entry > T::of(DEPENDENT) * T::ROOT_EPSILON * size) {
+            let is_independent = entry > T::of(DEPENDENT) * T::ROOT_EPSILON * size;
+            if !is_independent {
                 return Err(this.pivots.rows.get(row).copied().unwrap_or(0));
             }
             exchange(&mut this.rows, rank, row);

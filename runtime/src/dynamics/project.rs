@@ -111,13 +111,15 @@ pub(super) enum Open<T> {
     Residual(usize, T),
     /// A row depends on the others.
     Dependent(usize),
+    /// A row depends on the others after this share of the way to other parameters.
+    After(usize, T),
 }
 
 impl<T> Open<T> {
     /// The row.
     pub(super) fn row(&self) -> usize {
         match *self {
-            Open::Residual(row, _) | Open::Dependent(row) => row,
+            Open::Residual(row, _) | Open::Dependent(row) | Open::After(row, _) => row,
         }
     }
 }
@@ -155,6 +157,7 @@ where
     let (mut q, mut qd) = (mechanism.start(), zero);
     assemble(mechanism, (&mut q, &mut qd)).map_err(|open| match open {
         Open::Dependent(row) => singular::<T, S, N, I, M, R>(T::ZERO, row),
+        Open::After(row, share) => Stopped::AssemblyEnds { share, joint: S::JOINTS.get(row).copied().unwrap_or_default() },
         Open::Residual(row, residual) => {
             let joint = S::JOINTS.get(row).copied().unwrap_or_default();
             Stopped::NotAssembled { joint, residual, unit: unit_of::<T, S, N>(joint) }

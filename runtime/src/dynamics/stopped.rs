@@ -18,6 +18,13 @@ pub enum Stopped<T> {
         /// The unit of the residual, `"m"`, `"rad"` or `"m²"` for example; empty if the joint has rows of several units.
         unit: &'static str,
     },
+    /// On the way from the declared parameters to these, the assembly of the declared start ends, and there is no other one on its side.
+    AssemblyEnds {
+        /// Share of the way, between 0 and 1.
+        share: T,
+        /// The joint whose equations depend on those of the others there.
+        joint: &'static str,
+    },
     /// A redundant joint does not fit: with all other joints closed it stays open.
     DoesNotHold {
         /// Time in s.
@@ -78,6 +85,14 @@ impl<T: Scalar + Display> Display for Stopped<T> {
             Stopped::NotAssembled { joint, residual, unit } => {
                 let open = Measure(residual.to_f64().abs(), unit);
                 write!(f, "there is no initial state: `{joint}` stays open by {open}; start nearer to it, or change the initial values")
+            }
+            Stopped::AssemblyEnds { share, joint } => {
+                write!(
+                    f,
+                    "there is no initial state: on the way from the declared parameters to these the assembly of the declared start ends, at {:.4} % \
+                     of it, where the equations of `{joint}` depend on those of other joints",
+                    100.0 * share.to_f64()
+                )
             }
             Stopped::DoesNotHold { time, joint, residual, unit } => {
                 let off = Measure(residual.to_f64().abs(), unit);

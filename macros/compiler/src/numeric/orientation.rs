@@ -21,12 +21,14 @@ impl Numeric<'_> {
         Some(between(declared, found))
     }
 
+    /// The declared orientation of a body.
     pub(crate) fn declared_orientation(&self, body: usize) -> Option<Quaternion> {
         let declared = self.model.bodies[body].coordinates.iter().filter(|one| matches!(one.role, Role::Quaternion(_)));
         let declared: Vec<Expr> = declared.map(|one| one.start).collect::<Option<_>>()?;
         evaluate(&self.system.arena, &declared, &self.known).try_into().ok()
     }
 
+    /// The orientation of a body in a configuration.
     pub(crate) fn orientation(&self, q: &[f64], body: usize) -> Option<Quaternion> {
         quaternion(&evaluate(&self.system.arena, &self.system.cosines(body), &Values { coordinates: q, ..self.known }))
     }

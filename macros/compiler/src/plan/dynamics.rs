@@ -27,9 +27,9 @@ pub struct DynamicsCode {
     pub constraints: Routine,
     /// The same of all equations at t = 0.
     pub initial: Routine,
-    /// Row and column of each entry of J; the first `entries` of them are those between integrated coordinates.
+    /// Row and column of each entry of J of all equations at t = 0 that is not always zero.
     pub pattern: Vec<(usize, usize)>,
-    /// See `pattern`.
+    /// How many of these entries, the first, are of equations between integrated coordinates.
     pub entries: usize,
     /// Joint of each equation that is checked, and the power of a length with which it is judged.
     pub checked_rows: Vec<(usize, u8)>,
@@ -37,7 +37,7 @@ pub struct DynamicsCode {
     pub checked: Routine,
     /// The entries of J, γ, the entries of M, f.
     pub balance: Routine,
-    /// Row and column of each entry of M, in its lower triangle.
+    /// Row and column of each entry of M in its lower triangle that is not always zero.
     pub masses: Vec<(usize, usize)>,
     /// u̇, then the checked numbers of its computation, each with the number that it has to exceed.
     pub accelerations: Option<Routine>,
