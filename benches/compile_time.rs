@@ -56,11 +56,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("40 such chains".to_owned(), chains(40)),
     ];
     let long = LONG.iter().map(|&four_bars| (format!("a chain of {four_bars} four-bars"), chain(0, four_bars)));
-    let released = RELEASED.iter().map(|&four_bars| (format!("a released chain of {four_bars} four-bars"), released(four_bars)));
+    let freed = RELEASED.iter().map(|&four_bars| (format!("a released chain of {four_bars} four-bars"), released(four_bars)));
     let in_space = [(ARM.to_owned(), written("arm.rs", "Arm", 0)?), (STEWART.to_owned(), STEWART_PLATFORM.to_owned())];
     let long_in_space = LONG_IN_SPACE.map(|loops| Ok((in_words(loops), written("chain.rs", "Chain", loops)?)));
     let long_in_space = long_in_space.into_iter().collect::<Result<Vec<_>, Box<dyn Error>>>()?;
-    let crates: Vec<(String, String)> = crates.into_iter().chain(long).chain(released).chain(in_space).chain(long_in_space).collect();
+    let crates: Vec<(String, String)> = crates.into_iter().chain(long).chain(freed).chain(in_space).chain(long_in_space).collect();
     let mut columns = Vec::new();
     for (name, profile, command) in COLUMNS {
         let package = Package::new(profile)?;
@@ -217,6 +217,7 @@ fn released(four_bars: usize) -> String {
             "drive motor = drive_angle(crank[0], 1rad + speed * t);",
             "gravity = (0, -9.81m_s2); freedom swing = crank[0].angle from 1rad at speed;",
         );
+    assert!(declared.contains("freedom swing") && declared.matches("inertia").count() == 2, "the chain is declared otherwise now");
     format!(
         "{declared}
 pub fn tip_0(t: f64) -> Option<[f64; 2]> {{

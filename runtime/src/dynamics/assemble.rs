@@ -35,7 +35,7 @@ const SHORTEST: f64 = 1.0 / 4096.0;
 /// Shortest step along the tangent, as a part of the way.
 const SHORTEST_STEP: f64 = 1e-9;
 
-/// Where a row keeps less than this part of itself beside the others, a branch ends.
+/// A branch ends where the part of a row that is independent of the others falls below this fraction of it.
 const NEARLY_DEPENDENT: f64 = 0.01;
 
 /// Moves a place from the declared start to the initial values and the parameters, and sets its speeds.
@@ -79,7 +79,7 @@ where
     let (lengths, start) = (lengths(mechanism), *q);
     let side = mechanism.interpolated(T::ZERO).and_then(|defaults| side_of(&defaults, origin));
     let (mut here, mut slope, mut reached, mut step) = (*origin, [T::ZERO; I], T::ZERO, one);
-    // Redundant rows need not fit on the way: those that are solved stay the same while they are good.
+    // Redundant joints need not close on the way: the same rows stay solved as long as their pivots are good.
     let mut rows = None;
     for _ in 0..MOST {
         let next = least(reached + step, one);
@@ -140,7 +140,7 @@ where
     Err(Open::Residual(row, residual))
 }
 
-/// The row that depends most on the others after a share of the way, and its remainder relative to the declared start.
+/// The row that depends most on the others after a share of the way, and the part of it that does not.
 fn weakest_at<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     share: T,
@@ -150,14 +150,13 @@ where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    let [here, declared] = [(share, *q), (T::ZERO, mechanism.start())].map(|(share, q)| {
-        let between = mechanism.interpolated(share);
-        between.as_ref().unwrap_or(mechanism).initial(&q, T::ZERO).jacobian
-    });
-    weakest(&here, &declared, &lengths(mechanism), &redundant(mechanism))
+    let [of_positions, _] = levels(&S::LEVELS);
+    let between = mechanism.interpolated(share);
+    let rows = between.as_ref().unwrap_or(mechanism).initial(q, T::ZERO).jacobian;
+    weakest(&rows, &rows, &lengths(mechanism), &of_positions, &redundant(mechanism))
 }
 
-/// The sign of det J, which two assemblies have opposite that meet where a branch ends; `None` if joints are redundant, or J is not regular.
+/// The sign of det J, which is opposite for two assemblies that meet at the end of a branch; `None` if joints are redundant, or J is not regular.
 fn side_of<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(mechanism: &S, q: &SVector<T, N>) -> Option<bool>
 where
     T: Scalar,

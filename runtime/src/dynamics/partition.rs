@@ -17,7 +17,7 @@ pub(super) const ABOUT_AS_GOOD: f64 = 0.5;
 /// Rows of at most so many entries are subtracted as a whole, which costs less than to look for entries that are not zero.
 const SHORT: usize = 12;
 
-/// Entries of longer rows are subtracted in so many at a time, and left out where all of them are zero.
+/// Longer rows are subtracted in blocks of so many entries; blocks of zeros are passed over.
 const ABREAST: usize = 8;
 
 /// Rows J x = b solved for dependent unknowns, by Gauss-Jordan elimination.
@@ -106,20 +106,20 @@ fn arranged<T: Scalar, const M: usize, const I: usize>(matrix: &SMatrix<T, M, I>
 /// A row to be subtracted from others.
 struct Subtrahend<'a, T, const I: usize> {
     row: &'a [T; I],
-    /// For each [`ABREAST`] entries of a long row whether one of them is not zero.
-    counts: [bool; I],
+    /// For each block of a long row whether an entry is not zero.
+    is_filled: [bool; I],
 }
 
 impl<'a, T: Scalar, const I: usize> Subtrahend<'a, T, I> {
     #[inline(always)]
     fn new(row: &'a [T; I]) -> Self {
-        let mut counts = [true; I];
+        let mut is_filled = [true; I];
         if I > SHORT {
-            for (counts, entries) in counts.iter_mut().zip(row.chunks(ABREAST)) {
-                *counts = entries.iter().any(|entry| *entry != T::ZERO);
+            for (is_filled, entries) in is_filled.iter_mut().zip(row.chunks(ABREAST)) {
+                *is_filled = entries.iter().any(|entry| *entry != T::ZERO);
             }
         }
-        Self { row, counts }
+        Self { row, is_filled }
     }
 
     /// Subtracts the row times a factor.
@@ -132,7 +132,7 @@ impl<'a, T: Scalar, const I: usize> Subtrahend<'a, T, I> {
         } else if factor != T::ZERO {
             let (blocks, rest) = entries.as_chunks_mut::<ABREAST>();
             let (own_blocks, own_rest) = self.row.as_chunks::<ABREAST>();
-            for ((block, own), _) in blocks.iter_mut().zip(own_blocks).zip(&self.counts).filter(|(_, counts)| **counts) {
+            for ((block, own), _) in blocks.iter_mut().zip(own_blocks).zip(&self.is_filled).filter(|(_, is_filled)| **is_filled) {
                 for (entry, own) in block.iter_mut().zip(own) {
                     *entry = *entry - factor * *own;
                 }
@@ -368,9 +368,10 @@ pub(super) fn weakest<T: Scalar, const M: usize, const I: usize>(
     matrix: &SMatrix<T, M, I>,
     elsewhere: &SMatrix<T, M, I>,
     lengths: &[T; I],
+    takes_part: &[bool; M],
     redundant: &Redundant<T, M>,
 ) -> (usize, T) {
-    let parts = match Partition::new(matrix, &SVector::from_element(T::ZERO), lengths, &[true; M], redundant) {
+    let parts = match Partition::new(matrix, &SVector::from_element(T::ZERO), lengths, takes_part, redundant) {
         Ok(parts) => parts,
         Err(row) => return (row, T::ZERO),
     };

@@ -35,11 +35,11 @@ where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    // Of redundant rows others may follow from the rest by now.
+    // Which rows are redundant may have changed.
     project_onto(mechanism, known.filter(|_| S::REDUNDANT == 0), state, |q| mechanism.constraints(q, t))
 }
 
-/// The same for given equations.
+/// The same for given equations. Known pivots are taken as they are, also of redundant rows.
 pub(super) fn project_onto<T, S, const N: usize, const I: usize, const M: usize, const R: usize, const K: usize>(
     mechanism: &S,
     known: Option<&Pivots<T, K, I>>,

@@ -64,7 +64,7 @@ where
     }
     // Where rank is lost rows may vanish: they are compared with the rows at the assembled configuration.
     let assembled = mechanism.constraints(&mechanism.start(), from.t).jacobian;
-    let (row, left) = weakest(&last, &assembled, &lengths, &redundant(mechanism));
+    let (row, left) = weakest(&last, &assembled, &lengths, &[true; M], &redundant(mechanism));
     if left > T::of(LOST) {
         return Ok(());
     }
@@ -98,7 +98,7 @@ where
         return Ok(());
     }
     let assembled = mechanism.constraints(&mechanism.start(), t).jacobian;
-    let (row, left) = weakest(jacobian, &assembled, &lengths, &redundant);
+    let (row, left) = weakest(jacobian, &assembled, &lengths, &[true; M], &redundant);
     if left > T::of(FLAT) * T::ROOT_EPSILON { Ok(()) } else { Err(singular::<T, S, N, I, M, R>(t, row)) }
 }
 
@@ -112,7 +112,7 @@ where
     S: Dynamics<T, N, I, M, R>,
 {
     let rows = |q: &SVector<T, N>| mechanism.constraints(q, state.t).jacobian;
-    let (row, left) = weakest(&rows(&state.q), &rows(&mechanism.start()), &lengths(mechanism), &redundant(mechanism));
+    let (row, left) = weakest(&rows(&state.q), &rows(&mechanism.start()), &lengths(mechanism), &[true; M], &redundant(mechanism));
     if left > T::of(LOST) { Stopped::StepTooShort { time: state.t } } else { singular::<T, S, N, I, M, R>(state.t, row) }
 }
 

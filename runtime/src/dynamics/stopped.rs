@@ -18,7 +18,8 @@ pub enum Stopped<T> {
         /// The unit of the residual, `"m"`, `"rad"` or `"m²"` for example; empty if the joint has rows of several units.
         unit: &'static str,
     },
-    /// On the way from the declared parameters to these, the assembly of the declared start ends, and there is no other one on its side.
+    /// On the way from the declared parameters to these, the assembly of the declared start ends, and no other one with the same sign of det J
+    /// was found.
     AssemblyEnds {
         /// Share of the way, between 0 and 1.
         share: T,
@@ -90,7 +91,8 @@ impl<T: Scalar + Display> Display for Stopped<T> {
                 write!(
                     f,
                     "there is no initial state: on the way from the declared parameters to these the assembly of the declared start ends, at {:.4} % \
-                     of it, where the equations of `{joint}` depend on those of other joints",
+                     of it, where the equations of `{joint}` depend on those of other joints; choose parameters nearer to the declared ones, or \
+                     declare a start nearer to these",
                     100.0 * share.to_f64()
                 )
             }

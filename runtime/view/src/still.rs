@@ -64,8 +64,14 @@ fn painted(drawn: &Drawn, frame: usize) -> String {
 
 /// A picture in black on white, without the rules by which it takes the colours of a page.
 pub(crate) fn plain(mut picture: String) -> String {
-    while let Some((begin, length)) = picture.find("@supports(").and_then(|begin| Some((begin, picture[begin..].find("}}")? + 2))) {
-        picture.replace_range(begin..begin + length, "");
+    // A title stands before the style, and labels behind it.
+    let next = |picture: &str| {
+        let style = picture.find("<style>")?..picture.find("</style>")?;
+        let begin = style.start + picture.get(style)?.find("@supports(")?;
+        Some(begin..begin + picture.get(begin..)?.find("}}")? + 2)
+    };
+    while let Some(rule) = next(&picture) {
+        picture.replace_range(rule, "");
     }
     picture.replace("fill:#fff;fill:var(--paper)", "fill:#fff")
 }

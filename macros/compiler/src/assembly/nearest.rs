@@ -167,7 +167,7 @@ impl SearchTree<'_> {
 
     /// Records a complete assembly.
     fn arrive(&mut self, q: Vec<f64>, mut distance: Distance) {
-        self.numeric.add_orientations(&mut distance, &q);
+        self.numeric.add_orientations(&mut distance, &q, None);
         let is_known = |(known, far): &(Vec<f64>, Distance)| {
             compare(far, &distance) == Ordering::Equal && self.numeric.differing(known, &q).is_empty()
         };

@@ -5,13 +5,22 @@ use super::search::Distance;
 use crate::expr::{Expr, Values, evaluate};
 use crate::quantity::Role;
 
+/// Two orientations are alike if no more than this angle is between them, in rad.
+const ALIKE: f64 = 1e-4;
+
 /// A unit quaternion, the real part first.
 pub(crate) type Quaternion = [f64; 4];
 
 impl Numeric<'_> {
-    /// Adds the squared angles between orientations and declared ones, as far as the start of no angle says these.
-    pub(crate) fn add_orientations(&self, distance: &mut Distance, q: &[f64]) {
-        let away = self.system.turned.iter().filter_map(|body| self.turned_away(q, *body));
+    /// Adds the squared angle between the orientation and the declared one of each body of which no start of an angle expresses it.
+    ///
+    /// * `other`: given, another configuration: bodies that are turned alike in both do not count.
+    pub(crate) fn add_orientations(&self, distance: &mut Distance, q: &[f64], other: Option<&[f64]>) {
+        let differs = |body: &&usize| {
+            let [one, other] = [Some(q), other].map(|q| q.and_then(|q| self.orientation(q, **body)));
+            one.zip(other).is_none_or(|(one, other)| between(one, other) > ALIKE)
+        };
+        let away = self.system.turned.iter().filter(differs).filter_map(|body| self.turned_away(q, *body));
         distance[0] += away.map(|angle| angle * angle).sum::<f64>();
     }
 

@@ -81,30 +81,30 @@ impl Numeric<'_> {
         (closes && !shown.is_one(&image, q)).then_some(image)
     }
 
-    /// True if two assemblies are equally near to the declared values, counting only unknowns in which they differ.
+    /// True if two assemblies are equally near to the declared values, counting only unknowns and orientations in which they differ.
     pub(crate) fn is_as_declared(&self, one: &[f64], other: &[f64]) -> bool {
         let differing = self.differing(one, other);
-        let declared = |q: &[f64]| {
+        let declared = |q: &[f64], other: &[f64]| {
             let mut distance = [0.0; 3];
             differing.iter().for_each(|unknown| self.add_distance(&mut distance, *unknown, q[*unknown]));
-            self.add_orientations(&mut distance, q);
+            self.add_orientations(&mut distance, q, Some(other));
             [distance[0], 0.0, 0.0]
         };
-        compare(&declared(one), &declared(other)) == Ordering::Equal
+        compare(&declared(one, other), &declared(other, one)) == Ordering::Equal
     }
 
-    /// True if two assemblies, given as values of all unknowns, are equally near to the start, counting only unknowns in which they differ.
+    /// True if two assemblies, given as values of all unknowns, are equally near to the start, counting only unknowns and orientations in which they differ.
     pub(crate) fn are_equally_near(&self, one: &[f64], other: &[f64]) -> bool {
         let differing = self.differing(one, other);
-        let part = |q: &[f64]| -> Distance {
+        let part = |q: &[f64], other: &[f64]| -> Distance {
             let mut distance = [0.0; 3];
             for unknown in &differing {
                 self.add_distance(&mut distance, *unknown, q[*unknown]);
             }
-            self.add_orientations(&mut distance, q);
+            self.add_orientations(&mut distance, q, Some(other));
             distance
         };
-        compare(&part(one), &part(other)) == Ordering::Equal
+        compare(&part(one, other), &part(other, one)) == Ordering::Equal
     }
 
     /// Unknowns in which two assemblies differ.

@@ -79,7 +79,8 @@ pub struct System {
     pub further_angles: Vec<FurtherAngle>,
     /// In space: true if axes of a joint point against each other, as their declared starts do.
     pub has_opposed: bool,
-    /// In space: bodies whose declared orientation the start of no angle says, since nothing says how the body is turned that they are reached from.
+    /// In space: bodies with a declared orientation that no start of an angle expresses, since the orientation of the body that they are reached
+    /// from is not known.
     pub turned: BTreeSet<usize>,
     /// Equations of motion by ω in the axes of the bodies that are free to turn, if forces decide the motion and there are such bodies.
     pub by_spins: Option<EquationsBySpins>,
@@ -387,7 +388,7 @@ struct Choice {
     further_angles: Vec<FurtherAngle>,
     /// True if axes of a joint point against each other, as their declared starts do.
     has_opposed: bool,
-    /// In space: bodies whose declared orientation the start of no angle says.
+    /// In space: bodies with a declared orientation that no start of an angle expresses.
     turned: BTreeSet<usize>,
     /// Forces by the rates of the unknowns, where they decide the motion.
     balance: Option<Balance>,

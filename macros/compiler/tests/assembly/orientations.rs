@@ -132,6 +132,31 @@ fn a_declared_orientation_counts_against_ground_beside_a_body_without_a_start() 
     }
 }
 
+/// Three links, the first without a start and the second with the angle of its joint: the third is turned against ground as declared.
+#[test]
+fn a_declared_orientation_counts_against_ground_behind_a_declared_angle() {
+    for third in [-50.0, 50.0] {
+        let source = format!(
+            "mechanism Links in space {{
+                ground {{ axis z = (0, 0, 1); axis x = (1, 0, 0); axis y = (0, 1, 0); }}
+                body a {{ axis z = (0, 0, 1); point E = (1m, 0m, 0m); }}
+                body b {{ axis z = (0, 0, 1); point E = (1m, 0m, 0m); }}
+                body c {{ axis z = (0, 0, 1); point E = (1m, 0m, 0m); start orientation = turn((0, 0, 1), {third}deg); }}
+                joint ja = revolute(ground.position, ground.z, a.position, a.z);
+                joint jb = revolute(a.E, a.z, b.position, b.z);
+                joint jc = revolute(b.E, b.z, c.position, c.z);
+                start jb.angle = 30deg;
+                joint pa = point_on_plane(ground.position, ground.y, a.E, 1m * sin(100deg));
+                drive turn = drive_rotation(jb, 30deg + 1rad_s * t);
+                joint pc = point_on_plane(ground.position, ground.x, c.E, 1m * (cos(100deg) + cos(130deg) + cos({third}deg))); }}"
+        );
+        let compiled = accepted(&source);
+        let [first, second, last] = ["a.angle", "b.angle", "c.angle"].map(|name| start(&compiled, name).to_degrees());
+        let off = (first + second + last - third) / 360.0;
+        assert!((off - off.round()).abs() < 1e-12, "{third}°: {first}° + {second}° + {last}°");
+    }
+}
+
 /// Of the two assemblies of a rod between a ball on a slide and a cross the help names one that is accepted as it is written.
 #[test]
 fn the_start_that_the_help_names_is_one_of_space() {

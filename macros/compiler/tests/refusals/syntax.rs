@@ -3,7 +3,7 @@
 crate::refusals! {
     item semicolon_is_missing: "param a: Length = 10mm «param» b: Length = 20mm;" => "expected `;`, found `param`\nhelp: end what stands before it with `;`";
     mechanism semicolon_is_missing_at_the_end: "mechanism Crank { param a: Length = 10mm «}»" => "expected `;`, found the end\nhelp: end what stands before it with `;`";
-    item dimension_is_missing: "param a «=» 10mm;" => "expected `:` and a dimension such as `Length`, found `=`\nhelp: write `param name: Length = …;`";
+    item dimension_is_missing: "param a «=» 10mm;" => "expected `:` and a dimension such as `Length`, found `=`\nhelp: write the dimension behind the name, as in `name: Length = …;`";
     item default_is_missing: "param a: Length«;»" => "expected `=` and the default of the parameter, found `;`\nhelp: each parameter has a default, as in `param name: Length = 50mm;`";
     item name_is_missing: "param «:» Length = 10mm;" => "expected the name of the parameter, found `:`";
     item name_is_a_keyword: "joint «in» = revolute(ground.O, crank.O);" => "`in` is a word of Rust and cannot be a name\nhelp: write `in_`";
@@ -13,15 +13,16 @@ crate::refusals! {
     item item_is_unknown: "«parm» a: Length = 10mm;" => "`parm` is no item of a mechanism\nhelp: did you mean `param`?\nnote: items are `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `start`, `output`, `range`, `part`, `for`, `component`, `function` and `use`";
     item item_is_no_word: "«5» a: Length = 10mm;" => "expected an item: `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `start`, `output`, `range`, `part`, `for`, `component`, `function` or `use`, found `5`";
     item item_of_a_body_is_unknown: "body b { «pointt» P = (0mm, 0mm); }" => "`pointt` is no item of a body\nhelp: did you mean `point`?\nnote: a body has `point`, `axis`, `start`, `mass`, `center` and `inertia`";
-    item body_without_braces: "body b«;»" => "expected `{` and the points of the body, found `;`\nhelp: write `body name { … }`, each body with a name of one word; without points it is `body name {}`";
-    item sections_of_a_body_with_colons: "body b { point B = (1m, 0m); mass«:» 2kg; }" => "expected `=`, found `:`\nhelp: write `=`; `:` stands between a name and its dimension";
+    item body_without_braces: "body b«;»" => "expected `{` and the points of the body, found `;`\nhelp: write `body name { … }`, a name is one word; a body without points is `body name {}`";
+    item sections_of_a_body_with_colons: "body b { point B = (1m, 0m); mass«:» 2kg; }" => "expected `=`, found `:`\nhelp: a value stands behind `=`; only parameters and inputs have `:` and a dimension before it";
     item start_of_no_coordinate: "body b { point B = (1m, 0m); start «=» 200mm; }" => "expected `x`, `y`, `angle` or `position`, found `=`\nhelp: say of which coordinate, as in `start x = 200mm;` or `start position = (200mm, 0mm);`";
-    item point_outside_a_body: "«point» Z = (0mm, 0mm);" => "a `point` is fixed in ground or in a body\nhelp: write it there, as in `ground { point Z = …; }`";
+    item point_outside_a_body: "«point» Z = (0mm, 0mm);" => "`point` belongs in ground or in a body\nhelp: write it there, as in `ground { point Z = …; }`";
+    item axis_outside_a_body: "«axis» u = (1, 0);" => "`axis` belongs in ground or in a body\nhelp: write it there, as in `ground { axis u = …; }`";
     item mass_of_ground: "ground { «mass» = 3kg; }" => "ground does not move: its `mass` would change nothing\nhelp: take it away, or write it in a body";
     item centre_of_a_body: "body b { point B = (1m, 0m); «centre» = (0.5m, 0m); }" => "`centre` is no item of a body\nhelp: did you mean `center`?";
     item mass_twice: "body b { point B = (1m, 0m); mass = 1kg; «mass» = 2kg; inertia = rod(1m); }" => "`b` gives `mass` twice\nhelp: take one away";
     item sum_of_terms: "output b = «sum»(crank.x, crank.y);" => "no function is called `sum`\nhelp: write `a + b`; a sum over an array is `let s[0] = x[0]; for i in 1..n { let s[i] = s[i - 1] + x[i]; }`";
-    item degrees_of_an_output: "output b = «deg»(crank.angle);" => "no function is called `deg`: an angle is an angle, in whatever unit\nhelp: write `.to_degrees()` in Rust, where outputs are in rad";
+    item degrees_of_an_output: "output b = «deg»(crank.angle);" => "no function is called `deg`: angles have no unit inside a mechanism\nhelp: write `.to_degrees()` in Rust, where outputs are in rad";
     item angle_of_a_hinge_in_the_plane: "joint j = revolute(ground.O, crank.O); output b = j.«angle»;" => "a `revolute` joint has no `angle` in the plane\nhelp: bodies have one: write a difference, such as `rod.angle - crank.angle`";
     item component_of_a_point_by_index: "output b = crank.O[«0»];" => "a point has no index\nhelp: its components are `.x` and `.y`, in space `.z` too";
     item equal_sign_is_missing: "output b «crank»;" => "expected `=`, found `crank`";

@@ -52,14 +52,15 @@ impl Display for GrammarFact {
                     ("an expression", "`.`") => write!(f, "\nhelp: a number begins with a digit, such as `0.5`"),
                     ("the name of the joint", "`=`") => write!(f, "\nhelp: write `joint name = …`"),
                     ("the name of the drive", "`=`") => write!(f, "\nhelp: write `drive name = …`"),
-                    ("`=`", "`:`") => write!(f, "\nhelp: write `=`; `:` stands between a name and its dimension"),
-                    ("`{` and the points of the body", _) => {
-                        write!(
-                            f,
-                            "\nhelp: write `body name {{ … }}`, each body with a name of one word; without points it is `body name {{}}`"
-                        )
+                    ("`=`", "`:`") => {
+                        write!(f, "\nhelp: a value stands behind `=`; only parameters and inputs have `:` and a dimension before it")
                     }
-                    ("`:` and a dimension such as `Length`", "`=`") => write!(f, "\nhelp: write `param name: Length = …;`"),
+                    ("`{` and the points of the body", _) => {
+                        write!(f, "\nhelp: write `body name {{ … }}`, a name is one word; a body without points is `body name {{}}`")
+                    }
+                    ("`:` and a dimension such as `Length`", "`=`") => {
+                        write!(f, "\nhelp: write the dimension behind the name, as in `name: Length = …;`")
+                    }
                     ("`=` and the default of the parameter", _) => {
                         write!(f, "\nhelp: each parameter has a default, as in `param name: Length = 50mm;`")
                     }
@@ -183,7 +184,7 @@ impl Display for GrammarFact {
                 write!(f, "ground does not move: its `{word}` would change nothing\nhelp: take it away, or write it in a body")
             }
             GrammarFact::FeatureOutside { word, name } => {
-                write!(f, "a `{word}` is fixed in ground or in a body\nhelp: write it there, as in `ground {{ {word} {name} = …; }}`")
+                write!(f, "`{word}` belongs in ground or in a body\nhelp: write it there, as in `ground {{ {word} {name} = …; }}`")
             }
             GrammarFact::UnknownBodyItem { word, .. } => {
                 write!(f, "`{word}` is no item of a body")?;

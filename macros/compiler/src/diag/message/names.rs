@@ -98,7 +98,7 @@ impl Display for NameFact {
             NameFact::UnknownFunction { name, .. } if ["deg", "degrees", "to_degrees"].contains(&name.as_str()) => {
                 write!(
                     f,
-                    "no function is called `{name}`: an angle is an angle, in whatever unit\nhelp: write `.to_degrees()` in Rust, where outputs are in rad"
+                    "no function is called `{name}`: angles have no unit inside a mechanism\nhelp: write `.to_degrees()` in Rust, where outputs are in rad"
                 )
             }
             NameFact::UnknownFunction { name, .. } if name == "jerk" => {

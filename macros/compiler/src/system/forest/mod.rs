@@ -46,7 +46,8 @@ pub(super) struct Forest<'a> {
     placed: BTreeSet<usize>,
     /// Bodies without a declared start that a drive turns, and those that keep the orientation of such a body.
     driven: BTreeSet<usize>,
-    /// Bodies whose declared orientation the start of no angle says, since nothing says how the body is turned that they are reached from.
+    /// Bodies with a declared orientation that no start of an angle expresses, since the orientation of the body that they are reached from is not
+    /// known.
     turned: BTreeSet<usize>,
     /// Angles between triads.
     angles: Vec<(Triad, Triad, Expr)>,

@@ -38,8 +38,10 @@ impl Forest<'_> {
         if by_drive.is_some() {
             self.driven.insert(body);
         }
-        let (is_told, is_declared) = (self.says_angle(inner, body), self.has_orientation(body));
-        let start = if is_told { by_place.or_else(|| self.start_angle(one, two, is_declared)) } else { by_place };
+        let start = match by_place {
+            None if self.says_angle(inner, body) => self.start_angle(one, two, self.has_orientation(body)),
+            by_place => by_place,
+        };
         let angle = by_drive.or(start).unwrap_or_else(|| self.arena.integer(0));
         let angle = against(self, angle);
         self.note_start(inner, outer, Some(angle));

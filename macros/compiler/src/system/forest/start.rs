@@ -9,7 +9,7 @@ use crate::quantity::{Ambient, Role};
 /// Unit vectors are opposed at the start if their product is below this.
 const OPPOSED: f64 = -1e-9;
 
-/// Unit vectors are parallel at the start if their product is above this.
+/// Unit vectors are parallel at the start, in the same direction or not, if the size of their product is above this.
 const PARALLEL: f64 = 1.0 - 1e-9;
 
 /// A vector is parallel to an axis if the square of its part across the axis is at most this share of its own square.
@@ -166,8 +166,8 @@ impl Forest<'_> {
         each.collect()
     }
 
-    /// Angle of the second triad against the first at the declared start; `None` if it is zero. If the z axes are not parallel there, the
-    /// angle that turns the new body least from its declared orientation, and zero if it has none.
+    /// Angle of the second triad against the first at the declared start; `None` if it is zero. If the z axes are not parallel there, it is the
+    /// angle that leaves the new body closest to its declared orientation, and zero if none is declared.
     ///
     /// ```text
     /// sin = y₁ · x₂ − x₁ · y₂      cos = x₁ · x₂ + y₁ · y₂
@@ -177,7 +177,7 @@ impl Forest<'_> {
             [one, two].map(|triad| triad.axes.map(|axis| self.placed_at_start(Place { body: triad.body, local: axis })));
         let [s, c] = [y, x].map(|axis| dot(self.arena, axis, xo));
         let product = dot(self.arena, z, zo);
-        if self.at_defaults(product).is_none_or(|product| product > PARALLEL) {
+        if self.at_defaults(product).is_none_or(|product| product.abs() > PARALLEL) {
             return self.angle_of(s, c);
         }
         let [a, b] = [x, y].map(|axis| dot(self.arena, axis, yo));
@@ -283,19 +283,26 @@ impl Forest<'_> {
         self.started.get(&body).is_some_and(|started| !started.is_hinged && self.is_orientation_declared(started.inner.body))
     }
 
-    /// True if the orientations of a new body and of the one that it is reached from say the angle of their joint at the start. They do not if
-    /// the new one has none and the other is driven, nor if the new one has one and nothing says how the other is turned: such a body is noted.
+    /// True if the start angle of a joint follows from the orientations of its two bodies. It does not if the new body has no declared orientation
+    /// and the other is driven, nor if the new body has one and that of the other is not known: such a body is noted.
     pub(super) fn says_angle(&mut self, inner: Triad, body: usize) -> bool {
-        let is_driven = |from: usize| self.driven.contains(&from);
         if !self.has_orientation(body) {
-            return !inner.body.is_some_and(is_driven);
+            return !inner.body.is_some_and(|from| self.driven.contains(&from));
         }
-        let is_told = |from| is_driven(from) || self.placed.contains(&from) || self.has_orientation(from) || self.is_unturned(Some(from));
-        let is_told = inner.body.is_none_or(is_told);
-        if !is_told {
+        let is_known = self.is_orientation_known(inner.body);
+        if !is_known {
             self.turned.insert(body);
         }
-        is_told
+        is_known
+    }
+
+    /// True if the orientation of a body at the start is declared, that of ground, or follows from such a one by the place or the angle of its joint.
+    fn is_orientation_known(&self, body: Option<usize>) -> bool {
+        let Some(body) = body else { return true };
+        let is_free = self.coordinates.iter().any(|one| one.body == body && matches!(one.role, Role::Quaternion(_)));
+        let is_turned = [&self.placed, &self.driven].iter().any(|bodies| bodies.contains(&body));
+        let follows = |started: &Started| is_turned && self.is_orientation_known(started.inner.body);
+        self.has_orientation(body) || self.is_unturned(Some(body)) || is_free || self.started.get(&body).is_some_and(follows)
     }
 
     /// True for ground, and for a body that keeps its orientation.
