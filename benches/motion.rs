@@ -107,9 +107,9 @@ fn chains() -> Result<(), Box<dyn Error>> {
             println!("| {} | {steps} | {:.1} | {drift:.0e} |", $name, measured(&mut [&mut again], 2)[0] / 1e3 / steps as f64);
         };
     }
-    row!("a four-bar", chain::OfOne::default());
-    row!("a chain of 10", chain::OfTen::default());
-    row!("a chain of 40", chain::OfForty::default());
+    row!("a four-bar", chain::ChainOf1::default());
+    row!("a chain of 10", chain::ChainOf10::default());
+    row!("a chain of 40", chain::ChainOf40::default());
     Ok(())
 }
 

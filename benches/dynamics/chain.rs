@@ -1,7 +1,7 @@
 //! D2: N four-bars in a row, all bars 1 m and 1 kg, released; N + 1 cranks V and N couplers H.
 
 use reuleaux::nalgebra::Vector2;
-use reuleaux::{Dynamics, SimdReal, mechanism};
+use reuleaux::{Dynamics, SimdReal};
 use reuleaux_benches::multibody::forces::reaction;
 use reuleaux_benches::multibody::{Cut, Joint, Model};
 
@@ -16,25 +16,7 @@ macro_rules! chain {
     ($name:ident, $state:ident, $loops:literal, $module:ident) => {
         pub(crate) mod $module {
             use super::*;
-
-            mechanism! {
-                /// Four-bars in a row.
-                pub(super) mechanism $name {
-                    param start: Angle = 1.5708rad;
-                    param speed: AngularVelocity = 0rad_s;
-                    let loops = $loops;
-                    gravity = (0, -9.81m_s2);
-                    ground { for j in 0..=loops { point O[j] = (j * 1m, 0m); } }
-                    for j in 0..=loops { body crank[j] { point B = (1m, 0m);  mass = 1kg;  center = (0.5m, 0m);  inertia = rod(1m);  start angle = 90deg; } }
-                    for j in 0..loops { body coupler[j] { point C = (1m, 0m);  mass = 1kg;  center = (0.5m, 0m);  inertia = rod(1m);  start angle = 0deg; } }
-                    for j in 0..=loops { joint axle[j] = revolute(ground.O[j], crank[j].position); }
-                    for j in 0..loops {
-                        joint left[j] = revolute(crank[j].B, coupler[j].position);
-                        joint right[j] = revolute(coupler[j].C, crank[j + 1].B);
-                    }
-                    freedom swing = crank[0].angle from start at speed;
-                }
-            }
+            use reuleaux_benches::released::chain::{$name, $state};
 
             pub(crate) fn case() -> Case {
                 let at = |k: usize| {
@@ -55,9 +37,8 @@ macro_rules! chain {
                 let every = if $loops > 10 { STATES / FEW } else { STATES / 16 };
                 let known = inputs.clone();
                 let exact = exact_in(every, move |k| super::exact($loops, &known[k][0], &known[k][1]));
-                let with = move |state: &$state<f64>, force: [f64; 2]| {
-                    bars(state.qdd.as_slice()).into_iter().chain(force).collect::<Vec<f64>>()
-                };
+                let with =
+                    move |state: &$state<f64>, force: [f64; 2]| bars(state.qdd.as_slice()).into_iter().chain(force).collect::<Vec<f64>>();
                 Case {
                     name: format!("D2 chain of {}", $loops),
                     exact,

@@ -1,4 +1,4 @@
-//! Four-bars in a row, released: cranks and couplers of 1 m and 1 kg, like those of D2.
+//! Four-bars in a row, released: cranks and couplers of 1 m and 1 kg (D2).
 
 use reuleaux::mechanism;
 
@@ -7,6 +7,10 @@ macro_rules! chain {
         mechanism! {
             /// Four-bars in a row.
             pub mechanism $name {
+                /// Angle of the first crank.
+                param start: Angle = 60deg;
+                /// Its rate.
+                param speed: AngularVelocity = 0rad_s;
                 let loops = $loops;
                 gravity = (0, -9.81m_s2);
                 ground { for j in 0..=loops { point O[j] = (j * 1m, 0m); } }
@@ -17,12 +21,13 @@ macro_rules! chain {
                     joint left[j] = revolute(crank[j].B, coupler[j].position);
                     joint right[j] = revolute(coupler[j].C, crank[j + 1].B);
                 }
-                freedom swing = crank[0].angle from 60deg;
+                freedom swing = crank[0].angle from start at speed;
             }
         }
     };
 }
 
-chain!(OfOne, 1);
-chain!(OfTen, 10);
-chain!(OfForty, 40);
+chain!(ChainOf1, 1);
+chain!(ChainOf2, 2);
+chain!(ChainOf10, 10);
+chain!(ChainOf40, 40);

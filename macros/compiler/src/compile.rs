@@ -169,7 +169,7 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
 fn after_names(mut model: Model, diag: &mut Diag) -> Option<Compiled> {
     let mut system = system::assemble(&model, diag)?;
     let mut placed = placed(&model, &system, diag);
-    if placed.is_none() && system.has_opposed && diag.is_of_open_joints() {
+    if placed.is_none() && system.space.has_opposed && diag.is_of_open_joints() {
         // The declared starts turn axes of a joint against each other, and so no loop closes. With the axes along each other it may:
         // the unknowns, which depend on this, are chosen once more.
         let mut again = Diag::default();

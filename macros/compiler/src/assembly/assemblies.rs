@@ -166,11 +166,11 @@ impl Numeric<'_> {
 
     /// True if the unknown that stands for the angle of a joint is half a turn away from that angle.
     fn is_turned_over(&self, block: &Block, reduced: &Reduced, start: &[f64], x: &[f64]) -> bool {
-        if self.system.further_angles.is_empty() {
+        if self.system.space.further_angles.is_empty() {
             return false;
         }
         let own: Vec<Expr> = block.parts().1.into_iter().filter_map(|equation| self.system.equations[equation].phi()).collect();
-        let angles = self.system.further_angles.iter().filter(|angle| own.contains(&angle.phi));
+        let angles = self.system.space.further_angles.iter().filter(|angle| own.contains(&angle.phi));
         let cosines: Vec<Expr> = angles.map(|angle| angle.cosine).collect();
         let mut q = start.to_vec();
         reduced.unknowns.iter().zip(x).for_each(|(unknown, value)| q[*unknown] = *value);

@@ -36,7 +36,7 @@ impl Numeric<'_> {
     fn far_starts_of_joints(&self, start: &[f64]) -> Vec<Warning> {
         let declared: Vec<Expr> = self.model.starts.iter().map(|start| start.value).collect();
         let at_start = Values { coordinates: start, ..self.known };
-        let found = evaluate(&self.system.arena, &self.system.off_starts, &at_start);
+        let found = evaluate(&self.system.arena, &self.system.space.off_starts, &at_start);
         let each = self.model.starts.iter().zip(evaluate(&self.system.arena, &declared, &self.known)).zip(found);
         let doubtful = each.filter_map(|((one, declared), off)| {
             let is_angle = matches!(one.quantity, JointQuantity::Angle(..));

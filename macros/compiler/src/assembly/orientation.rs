@@ -15,7 +15,7 @@ impl Numeric<'_> {
     /// The angle between the orientation of a body at the start and the declared one, both against the body on the other side of its joint
     /// unless nothing says how that one is turned; `None` if an orientation is not declared.
     pub(super) fn turned_against(&self, start: &[f64], body: usize) -> Option<f64> {
-        let Some(from) = self.joined_to(body).filter(|_| !self.system.turned.contains(&body)) else {
+        let Some(from) = self.joined_to(body).filter(|_| !self.system.space.turned.contains(&body)) else {
             return self.turned_away(start, body);
         };
         let relative = |[[real, x, y, z], body]: [Quaternion; 2]| product([real, -x, -y, -z], body);
@@ -42,7 +42,7 @@ impl Numeric<'_> {
 
     /// The body on the other side of the joint that leads to a body; `None` for ground, or if no joint does.
     fn joined_to(&self, body: usize) -> Option<usize> {
-        self.system.reached.get(body).copied().flatten().and_then(|(_, from)| from)
+        self.system.space.reached.get(body).copied().flatten().and_then(|(_, from)| from)
     }
 }
 

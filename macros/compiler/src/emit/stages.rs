@@ -67,7 +67,7 @@ impl Emitter<'_> {
 
     /// The binary links, and whether equations are verified, where there are any. Mechanisms with slices have no links.
     fn tested(&self, solution: &Solution, shelf: &StateLayout) -> TokenStream {
-        let links = self.system.links.iter().filter_map(|body| shelf.place(self.system.entries_of(*body).start));
+        let links = self.system.space.links.iter().filter_map(|body| shelf.place(self.system.entries_of(*body).start));
         let links: Vec<Literal> = links.map(Literal::usize_unsuffixed).collect();
         let links = (!links.is_empty()).then(|| quote!(const LINKS: &'static [::core::primitive::usize] = &[#(#links),*];));
         let is_redundant = solution.stages.iter().any(|stage| matches!(stage, Summary::Check(_)));

@@ -101,7 +101,7 @@ fn drives_contend(view: &Contenders, drives: &[usize], joints: &[usize]) -> Syst
     let free: Vec<usize> = drives.iter().copied().filter(|drive| view.model.joints[*drive].freedom.is_some()).collect();
     // In space, joints that hold by the choice of the unknowns leave freedoms too.
     let bodies = view.group.part.unknowns.iter().map(|unknown| view.system.coordinates[*unknown].body);
-    let reached = bodies.filter_map(|body| view.system.reached.get(body).copied().flatten()).map(|(joint, _)| joint);
+    let reached = bodies.filter_map(|body| view.system.space.reached.get(body).copied().flatten()).map(|(joint, _)| joint);
     let joints: BTreeSet<usize> = joints.iter().copied().chain(reached).collect();
     let joints: Vec<usize> = joints.into_iter().collect();
     SystemFact::DrivesContend {

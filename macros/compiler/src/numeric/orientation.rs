@@ -20,7 +20,7 @@ impl Numeric<'_> {
             let [one, other] = [Some(q), other].map(|q| q.and_then(|q| self.orientation(q, **body)));
             one.zip(other).is_none_or(|(one, other)| between(one, other) > ALIKE)
         };
-        let away = self.system.turned.iter().filter(differs).filter_map(|body| self.turned_away(q, *body));
+        let away = self.system.space.turned.iter().filter(differs).filter_map(|body| self.turned_away(q, *body));
         distance[0] += away.map(|angle| angle * angle).sum::<f64>();
     }
 

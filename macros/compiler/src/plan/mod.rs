@@ -218,7 +218,7 @@ fn solving(
     let is_angle = |index: usize| system.coordinates.get(index).is_some_and(|unknown| unknown.role == Role::Angle);
     let is_angle: Vec<bool> = (0..system.width()).map(is_angle).collect();
     let joints: Vec<usize> = system.equations.iter().map(|equation| equation.joint).collect();
-    let links: Vec<Range<usize>> = system.links.iter().map(|body| system.entries_of(*body)).collect();
+    let links: Vec<Range<usize>> = system.space.links.iter().map(|body| system.entries_of(*body)).collect();
     let frame = PlanContext { arena, tracer, words, is_angle: &is_angle, joints: &joints, links: &links };
     let slice = |(output, jerks): (&OutputMotion, &Option<Jerks>)| {
         let components = output.components.len() + jerks.as_ref().map_or(0, |jerks| jerks.components.len());

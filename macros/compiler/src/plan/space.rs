@@ -21,7 +21,7 @@ pub(super) fn orientations(arena: &mut Arena, system: &System) -> Vec<Stage> {
 
 /// The body nearest to the ground in the tree of hinges to which a body belongs.
 fn root(system: &System, mut body: usize) -> usize {
-    while let Some((_, Some(before))) = system.reached.get(body).copied().flatten() {
+    while let Some((_, Some(before))) = system.space.reached.get(body).copied().flatten() {
         body = before;
     }
     body

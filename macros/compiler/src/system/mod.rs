@@ -14,6 +14,7 @@ mod declared;
 mod directions;
 mod dynamics;
 mod forest;
+mod in_space;
 mod loads;
 mod magnitude;
 mod own_axes;
@@ -35,6 +36,7 @@ use std::ops::Range;
 
 pub use balance::Balance;
 pub use declared::DeclaredEquations;
+pub use in_space::{FurtherAngle, InSpace};
 pub use loads::{LoadEquations, LoadRow};
 pub(crate) use magnitude::magnitude;
 pub(crate) use rows::coordinates_in;
@@ -69,30 +71,10 @@ pub struct System {
     pub frames: Vec<usize>,
     /// Forces that joints and drives have to supply, if there are masses or forces.
     pub loads: Option<LoadEquations>,
-    /// In space: the joint by which the orientation of each body follows, and the body that it follows from.
-    pub reached: Vec<Option<(usize, Option<usize>)>>,
-    /// In space: the bodies whose orientation follows from the places of their ends.
-    pub links: Vec<usize>,
-    /// In space: angles and displacements of joints less their declared starts, in the order of these.
-    pub off_starts: Vec<Expr>,
-    /// In space: angles of joints that place no body.
-    pub further_angles: Vec<FurtherAngle>,
-    /// In space: true if axes of a joint point against each other, as their declared starts do.
-    pub has_opposed: bool,
-    /// In space: bodies with a declared orientation that no start of an angle expresses, since the orientation of the body that they are reached
-    /// from is not known.
-    pub turned: BTreeSet<usize>,
+    /// The forest of bodies in space; empty in the plane.
+    pub space: InSpace,
     /// Equations of motion by ω in the axes of the bodies that are free to turn, if forces decide the motion and there are such bodies.
     pub by_spins: Option<EquationsBySpins>,
-}
-
-/// An unknown that is the angle of a joint and places no body.
-#[derive(Clone, Copy, Debug)]
-pub struct FurtherAngle {
-    /// Its row, which holds at the angle and half a turn away from it.
-    pub phi: Expr,
-    /// The cosine of the unknown less the angle: 1 at the angle, −1 half a turn away.
-    pub cosine: Expr,
 }
 
 /// One coordinate.
@@ -214,7 +196,7 @@ impl System {
         let mut joints = BTreeSet::new();
         for mut body in bodies {
             // Joints on the ways of both bodies are not in the loop.
-            while let Some((joint, from)) = self.reached[body] {
+            while let Some((joint, from)) = self.space.reached[body] {
                 if !joints.insert(joint) {
                     joints.remove(&joint);
                 }
@@ -297,8 +279,7 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
         Ambient::Plane => in_plane(model, &mut arena),
         Ambient::Space => forest::reduce(model, &mut arena, forest::FreeSpeeds::OfQuaternion),
     };
-    let Choice { coordinates, mut rows, outputs, frames, reached, links, balance, loads, off_starts, further_angles, has_opposed, turned } =
-        choice;
+    let Choice { coordinates, mut rows, outputs, frames, space, balance, loads } = choice;
     rows::integrate(model, &mut arena, &coordinates, &mut rows, diag);
     rows::begin_at_start(model, &mut arena, &coordinates, &mut rows);
     let is_motion = model.task == Task::Motion;
@@ -347,12 +328,7 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
         declared,
         frames,
         loads,
-        reached,
-        links,
-        off_starts,
-        further_angles,
-        has_opposed,
-        turned,
+        space,
         by_spins,
     })
 }
@@ -378,18 +354,7 @@ struct Choice {
     outputs: Vec<Vec<Expr>>,
     /// In space: the frame of each body in the arena.
     frames: Vec<usize>,
-    /// In space: the joint by which each body was reached, and the body that it was reached from.
-    reached: Vec<Option<(usize, Option<usize>)>>,
-    /// In space: the binary links.
-    links: Vec<usize>,
-    /// Angles and displacements of joints less their declared starts, in the order of these.
-    off_starts: Vec<Expr>,
-    /// In space: angles of joints that place no body.
-    further_angles: Vec<FurtherAngle>,
-    /// True if axes of a joint point against each other, as their declared starts do.
-    has_opposed: bool,
-    /// In space: bodies with a declared orientation that no start of an angle expresses.
-    turned: BTreeSet<usize>,
+    space: InSpace,
     /// Forces by the rates of the unknowns, where they decide the motion.
     balance: Option<Balance>,
     /// In space: the equations of the loads.
@@ -404,12 +369,7 @@ fn in_plane(model: &Model, arena: &mut Arena) -> Choice {
         rows: Row::declared(model).collect(),
         outputs: model.outputs.iter().map(|output| output.components.clone()).collect(),
         frames: Vec::new(),
-        reached: Vec::new(),
-        links: Vec::new(),
-        off_starts: Vec::new(),
-        further_angles: Vec::new(),
-        has_opposed: false,
-        turned: BTreeSet::new(),
+        space: InSpace::default(),
         loads: None,
     }
 }

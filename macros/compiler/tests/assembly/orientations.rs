@@ -157,6 +157,31 @@ fn a_declared_orientation_counts_against_ground_behind_a_declared_angle() {
     }
 }
 
+/// A link on a slider that keeps the declared orientation of its guide: of its two directions the declared one is taken.
+#[test]
+fn a_declared_orientation_counts_against_ground_beside_a_slider_on_a_turned_guide() {
+    for link in [-50.0, 50.0] {
+        let source = format!(
+            "mechanism Guided in space {{
+                ground {{ axis z = (0, 0, 1); axis x = (1, 0, 0); }}
+                body guide {{ axis z = (0, 0, 1); axis x = (1, 0, 0); start orientation = turn((0, 0, 1), 100deg); }}
+                body slider {{ axis z = (0, 0, 1); axis x = (1, 0, 0); }}
+                body link {{ axis z = (0, 0, 1); point E = (1m, 0m, 0m); start orientation = turn((0, 0, 1), {link}deg); }}
+                joint a = revolute(ground.position, ground.z, guide.position, guide.z);
+                joint s = translational(guide.position, guide.x, slider.position, slider.x);
+                joint b = revolute(slider.position, slider.z, link.position, link.z);
+                drive turn = drive_rotation(a, 100deg + 1rad_s * t);
+                drive out = drive_translation(s, 500mm);
+                joint at = point_on_plane(ground.position, ground.x, link.E, 500mm * cos(100deg) + 1m * cos({link}deg)); }}"
+        );
+        let compiled = accepted(&source);
+        let [guide, own] = ["guide.angle", "link.angle"].map(|name| start(&compiled, name).to_degrees());
+        let off = (guide + own - link) / 360.0;
+        assert!((off - off.round()).abs() < 1e-12, "{link}°: {guide}° + {own}°");
+        assert!(compiled.assembly.warnings.is_empty(), "{:?}", compiled.assembly.warnings);
+    }
+}
+
 /// Of the two assemblies of a rod between a ball on a slide and a cross the help names one that is accepted as it is written.
 #[test]
 fn the_start_that_the_help_names_is_one_of_space() {

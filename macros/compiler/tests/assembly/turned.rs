@@ -29,7 +29,7 @@ fn axes_lie_against_each_other_where_the_start_says_so_and_the_loop_closes() {
     for (height, is_opposed) in [(10.0, true), (60.0, true), (75.0, true), (77.0, false), (150.0, false)] {
         let compiled = accepted(&upside_down(height));
         assert!(compiled.assembly.is_closed);
-        assert_eq!(compiled.system.has_opposed, is_opposed, "{height} mm");
+        assert_eq!(compiled.system.space.has_opposed, is_opposed, "{height} mm");
         // Half a turn away from its start is far.
         assert!(is_opposed || !compiled.assembly.warnings.is_empty(), "{height} mm");
     }

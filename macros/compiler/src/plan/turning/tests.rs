@@ -74,7 +74,7 @@ fn columns_by_turns_are_those_by_components_of_quaternions() {
     let flaps = LAST.map(|last| FLAP.replace("LAST", last));
     for (declaration, links) in [(STEWART, 0), (&flaps[0], 0), (&flaps[1], 1)] {
         let compiled = compile(declaration.parse().expect("tokens")).expect("a valid mechanism");
-        assert_eq!(compiled.system.links.len(), links, "{declaration}");
+        assert_eq!(compiled.system.space.links.len(), links, "{declaration}");
         let mut arena = compiled.system.arena.clone();
         let blocks = stages(&mut arena, &compiled.system, &compiled.structure, &[]).0;
         let is_turning =

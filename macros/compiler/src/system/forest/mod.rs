@@ -19,7 +19,7 @@ mod rewrite;
 mod start;
 
 use super::rows::Row;
-use super::{Balance, Choice, Coordinate, LoadEquations};
+use super::{Balance, Choice, Coordinate, InSpace, LoadEquations};
 use crate::expr::{Arena, Expr, Leaf, Lookup, Triple};
 use crate::model::{DECLARED, Model, Place, Relationship, Triad};
 use crate::quantity::{Ambient, Axis, Role};
@@ -141,14 +141,16 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena, free_speeds: FreeSpeeds) 
         rows: forest.rows,
         outputs,
         frames,
-        reached: forest.reached,
-        links,
+        space: InSpace {
+            reached: forest.reached,
+            links,
+            off_starts,
+            further_angles,
+            has_opposed: forest.has_opposed,
+            turned: forest.turned,
+        },
         balance,
         loads,
-        off_starts,
-        further_angles,
-        has_opposed: forest.has_opposed,
-        turned: forest.turned,
     }
 }
 

@@ -39,11 +39,12 @@ impl Forest<'_> {
         }
     }
 
-    /// The same, but by its joints only if the body turns to its declared place or to where a drive has it: without these, angles at the
-    /// start are those between declared orientations.
+    /// The same, but by its joints only if the body turns to its declared place or to where a drive has it, or if it keeps the declared orientation
+    /// of another one: without these, angles at the start are those between declared orientations.
     fn placed_at_start(&mut self, place: Place) -> Triple {
         let is_placed = place.body.is_some_and(|body| self.placed.contains(&body) || self.driven.contains(&body));
-        if is_placed { self.hinged_at_start(place) } else { self.at_start(place) }
+        let keeps_declared = self.keeps(place.body).flatten().is_some();
+        if is_placed || keeps_declared { self.hinged_at_start(place) } else { self.at_start(place) }
     }
 
     /// Position of a point at the declared start.
@@ -273,14 +274,15 @@ impl Forest<'_> {
         let mut kept = if is_hinged { 2..3 } else { 0..3 };
         match kept.find(|k| [axis.local, opposite].contains(&outer.axes[*k])) {
             Some(k) => self.is_declared(Place { body: inner.body, local: inner.axes[k] }),
-            None => !is_hinged && self.is_orientation_declared(inner.body),
+            None => !is_hinged && self.keeps(inner.body).is_some(),
         }
     }
 
-    /// True if the orientation of a body at the start is declared, or that of a body whose orientation it keeps.
-    fn is_orientation_declared(&self, body: Option<usize>) -> bool {
-        let Some(body) = body.filter(|body| !self.has_orientation(*body)) else { return true };
-        self.started.get(&body).is_some_and(|started| !started.is_hinged && self.is_orientation_declared(started.inner.body))
+    /// Ground, or the body with a declared orientation, against which no joint turns a body at the start; `None` if joints turn it against all of them.
+    fn keeps(&self, body: Option<usize>) -> Option<Option<usize>> {
+        let Some(number) = body.filter(|body| !self.has_orientation(*body)) else { return Some(body) };
+        let started = self.started.get(&number).filter(|started| !started.is_hinged)?;
+        self.keeps(started.inner.body)
     }
 
     /// True if the start angle of a joint follows from the orientations of its two bodies. It does not if the new body has no declared orientation
@@ -302,14 +304,7 @@ impl Forest<'_> {
         let is_free = self.coordinates.iter().any(|one| one.body == body && matches!(one.role, Role::Quaternion(_)));
         let is_turned = [&self.placed, &self.driven].iter().any(|bodies| bodies.contains(&body));
         let follows = |started: &Started| is_turned && self.is_orientation_known(started.inner.body);
-        self.has_orientation(body) || self.is_unturned(Some(body)) || is_free || self.started.get(&body).is_some_and(follows)
-    }
-
-    /// True for ground, and for a body that keeps its orientation.
-    fn is_unturned(&self, body: Option<usize>) -> bool {
-        let Some(body) = body else { return true };
-        let keeps = |started: &Started| !started.is_hinged && self.is_unturned(started.inner.body);
-        !self.has_orientation(body) && self.started.get(&body).is_some_and(keeps)
+        self.keeps(Some(body)).is_some() || is_free || self.started.get(&body).is_some_and(follows)
     }
 
     /// True if the orientation of a body at the start is declared.
