@@ -144,7 +144,9 @@ impl Emitter<'_> {
     fn kernel_page(&self, kernel: &Kernel) -> TokenStream {
         let coordinate = |slot: &usize| docs::coordinate_name(self.model, self.system, kernel.shape.unknowns[*slot].at(0) as usize);
         let equation = |column: &Column<u32>| docs::equation_name(self.model, self.system, column.at(0) as usize);
-        let found: Vec<String> = kernel.found.iter().map(coordinate).collect();
+        let mut found: Vec<String> = kernel.found.iter().map(coordinate).collect();
+        // The cosines of an orientation have one name.
+        found.dedup();
         let equations: Vec<String> = kernel.equations.iter().map(equation).collect();
         let mut page = match (found.join(", "), equations.join(", ")) {
             (found, from) if from.is_empty() => found,

@@ -1,13 +1,14 @@
 //! One function for all stages of the same shape.
 //!
-//! In: the stages of a mechanism. Out: [`Kernels`]: for each shape, its lines over local unknowns; for each stage, its shape and, in
+//! In: the stages of a mechanism in runs. Out: [`Kernels`]: for each shape, its lines over local unknowns; for each stage, its shape and, in
 //! columns, its unknowns. Stages exchange values in arrays: q, q̇, q̈, and the sine and cosine of angles used by more than one stage. Not
 //! done here: printing.
 
 use super::lines::{PlanContext, StageCode, StraightLine, lines};
 use super::routine::Cost;
-use super::shape::{Column, Piece, Shape};
-use super::stage::{Iteration, Origin, Stage};
+use super::runs::{Run, Runs};
+use super::shape::{Column, Shape};
+use super::stage::Stage;
 use super::words::Words;
 use crate::expr::{Leaf, Node, Unary};
 use std::collections::BTreeSet;
@@ -59,48 +60,22 @@ impl Round {
     }
 }
 
-/// Stages computed by one call: a block, or the unknowns of one owner.
-struct Run<'a> {
-    stages: Vec<&'a Stage>,
-    owner: Option<RunOwner>,
-}
-
-/// Computed unknowns that belong together.
-#[derive(PartialEq)]
-enum RunOwner {
-    /// Those that one joint determines.
-    Joint(usize),
-    /// Direction cosines of the bodies that hang from this one.
-    Tree(usize),
-    /// Components of an output.
-    Output,
-}
-
 impl Kernels {
-    pub(super) fn new(frame: &PlanContext, stages: &[Stage]) -> Kernels {
+    pub(super) fn new(frame: &PlanContext, stages: &[Stage], runs: Runs) -> Kernels {
         let words = frame.words;
-        let (runs, constants) = runs(frame, stages);
-        let pieces: Vec<Piece> = runs.iter().map(|run| run.piece(frame)).collect();
-        let (shapes, order) = frame.tracer.shapes(&pieces);
+        let Runs { runs, shapes, order, constants } = runs;
         let turned: Vec<BTreeSet<usize>> = shapes.iter().map(turned).collect();
         let member = |number: usize| runs.iter().zip(&order).filter(move |(_, of)| **of == number).map(|(run, _)| run);
         let mut kernels: Vec<Kernel> =
             shapes.into_iter().enumerate().map(|(number, shape)| kernel(shape, member(number).collect(), &turned[number], words)).collect();
         keep_turns(&mut kernels, &turned);
         let blocks = blocks(&kernels, &order, &runs);
-        let is_driven = |stage: &&Stage| matches!(stage, Stage::Explicit { .. }) && stage.depends_on_time(frame.arena);
-        let can_rest = stages.iter().filter(is_driven).count() > 1;
-        Kernels { kernels, order, constants, can_rest, blocks }
+        Kernels { kernels, order, constants, can_rest: can_rest(frame, stages), blocks }
     }
 
     /// The order as rounds, if each shape occurs in only one of them: then rustc knows the next function in each loop.
     pub fn rounds(&self) -> Option<Vec<Round>> {
         rounds(&self.order)
-    }
-
-    /// Number of operations in all kernels.
-    pub(super) fn size(&self) -> usize {
-        self.kernels.iter().map(|kernel| kernel.shape.arena.len()).sum()
     }
 
     /// Operations outside of loops, of all stages.
@@ -114,27 +89,6 @@ impl Kernel {
     fn step(&self) -> Cost {
         let of_part = |part: &StageCode| if let StageCode::Block(block) = part { Some(block.cost) } else { None };
         self.lines.parts.iter().find_map(of_part).unwrap_or_default()
-    }
-}
-
-impl Run<'_> {
-    fn piece(&self, frame: &PlanContext) -> Piece {
-        let mut tag = vec![self.stages.len() as u32];
-        let mut first = Vec::new();
-        for stage in &self.stages {
-            match stage {
-                Stage::Explicit { unknown, .. } => first.push(*unknown as u32),
-                Stage::Block(system) => {
-                    tag.extend([system.unknowns.len() as u32, system.quaternions.len() as u32]);
-                    tag.extend(system.quaternions.iter().flatten().map(|column| *column as u32));
-                    tag.extend(system.elimination.iter().flat_map(|elimination| elimination.features(frame.arena, &system.jacobian)));
-                    first.extend(system.unknowns.iter().map(|unknown| *unknown as u32));
-                }
-                Stage::Check { .. } => tag.push(u32::MAX),
-            }
-        }
-        tag.extend(first.iter().map(|unknown| u32::from(frame.is_angle[*unknown as usize])));
-        Piece { tag, first, results: self.stages.iter().flat_map(|stage| stage.results()).collect() }
     }
 }
 
@@ -153,10 +107,16 @@ fn rounds(order: &[usize]) -> Option<Vec<Round>> {
     rounds.iter().flat_map(|round| &round.shapes).all(|shape| seen.insert(shape)).then_some(rounds)
 }
 
+/// True if more than one drive moves something.
+pub(super) fn can_rest(frame: &PlanContext, stages: &[Stage]) -> bool {
+    let is_driven = |stage: &&Stage| matches!(stage, Stage::Explicit { .. }) && stage.depends_on_time(frame.arena);
+    stages.iter().filter(is_driven).count() > 1
+}
+
 /// For each block, the number of its shape among blocks, and the operations of one Newton step.
 fn blocks(kernels: &[Kernel], order: &[usize], runs: &[Run]) -> Vec<(usize, Cost)> {
     let mut shapes: Vec<usize> = Vec::new();
-    let of_blocks = runs.iter().zip(order).filter(|(run, _)| matches!(run.stages.as_slice(), [Stage::Block(_)]));
+    let of_blocks = runs.iter().zip(order).filter(|(run, _)| run.has_block());
     let number = |kernel: usize| {
         let known = shapes.iter().position(|other| *other == kernel);
         let shape = known.unwrap_or_else(|| {
@@ -166,42 +126,6 @@ fn blocks(kernels: &[Kernel], order: &[usize], runs: &[Run]) -> Vec<(usize, Cost
         (shape, kernels[kernel].step())
     };
     of_blocks.map(|(_, kernel)| *kernel).map(number).collect()
-}
-
-/// Groups stages into runs: each block alone, consecutive computed unknowns of one owner together. Constants are returned separately.
-fn runs<'a>(frame: &PlanContext, stages: &'a [Stage]) -> (Vec<Run<'a>>, Vec<(usize, f64)>) {
-    let (mut runs, mut constants): (Vec<Run>, Vec<(usize, f64)>) = (Vec::new(), Vec::new());
-    let mut stages: Vec<&Stage> = stages.iter().collect();
-    // Orientations depend on no other orientation: those of a tree, which share operations, come together.
-    stages.chunk_by_mut(|one, other| tree(one).is_some() && tree(other).is_some()).for_each(|chunk| chunk.sort_by_key(|stage| tree(stage)));
-    for stage in stages {
-        let Stage::Explicit { unknown, origin, motion } = stage else {
-            runs.push(Run { stages: vec![stage], owner: None });
-            continue;
-        };
-        if let [Some(value), Some(_), Some(_)] = motion.map(|expr| frame.arena.as_constant(expr)) {
-            constants.push((*unknown, value.to_f64()));
-            continue;
-        }
-        let owner = Some(match origin {
-            Origin::Equation(row) => RunOwner::Joint(frame.joints[*row]),
-            Origin::Orientation(root) => RunOwner::Tree(*root),
-            Origin::Output => RunOwner::Output,
-        });
-        match runs.last_mut() {
-            Some(run) if run.owner == owner => run.stages.push(stage),
-            _ => runs.push(Run { stages: vec![stage], owner }),
-        }
-    }
-    (runs, constants)
-}
-
-/// The body from which all bodies hang whose orientations a stage computes.
-fn tree(stage: &Stage) -> Option<usize> {
-    match stage {
-        Stage::Explicit { origin: Origin::Orientation(root), .. } => Some(*root),
-        _ => None,
-    }
 }
 
 /// Local unknowns whose sine or cosine occurs.
@@ -244,18 +168,6 @@ fn kernel(shape: Shape, runs: Vec<&Run>, turned: &BTreeSet<usize>, words: &Words
     let elsewhere: BTreeSet<usize> = turned.iter().copied().filter(|slot| !found.contains(slot)).collect();
     let lines = lines(&shape.arena, &stages, shape.unknowns.len(), &elsewhere, false, &words.of_shape(&shape));
     Kernel { shape, lines, found, equations, kept: Vec::new() }
-}
-
-impl Run<'_> {
-    /// Index in Φ of an equation of its block, or of the equation that it checks.
-    fn equation(&self, row: usize) -> u32 {
-        let of_stage = |stage: &&Stage| match stage {
-            Stage::Block(Iteration { equations, .. }) => equations.get(row).copied(),
-            Stage::Check { equation, .. } => Some(*equation),
-            Stage::Explicit { .. } => None,
-        };
-        self.stages.iter().find_map(of_stage).unwrap_or(0) as u32
-    }
 }
 
 /// The kernel that computes an angle stores its sine and cosine if another kernel uses them.

@@ -16,6 +16,7 @@ mod obstacle;
 mod outputs;
 mod rolled;
 mod routine;
+mod runs;
 mod scene;
 mod schedule;
 mod shape;

@@ -1,10 +1,11 @@
 //! The solution as a whole: its stages, their cost, and whether they share code.
 
 use super::finite::{Unsure, unsure};
-use super::kernels::Kernels;
+use super::kernels::{Kernels, can_rest};
 use super::lines::{PlanContext, StraightLine, lines};
 use super::rolled::STRAIGHT;
 use super::routine::Cost;
+use super::runs::Runs;
 use super::stage::{Elimination, Iteration, Stage};
 use crate::expr::{Arena, Expr};
 use std::collections::BTreeSet;
@@ -63,13 +64,17 @@ pub enum Solving {
 /// If `is_apart`, steps that depend on parameters only are separated.
 pub(super) fn solution(frame: &PlanContext, stages: &[Stage], is_apart: bool) -> Solution {
     let PlanContext { arena, words, .. } = *frame;
-    let kernels = Kernels::new(frame, stages);
-    let (of_kernels, all) = (kernels.size(), size(arena, stages));
-    let mut blocks = kernels.blocks.iter().copied();
-    let summaries = stages.iter().map(|stage| summary(arena, stage, &mut blocks)).collect();
+    let runs = Runs::new(frame, stages);
+    let all = size(arena, stages);
     // Shared functions do not exchange third derivatives.
     let has_jerks = stages.iter().any(|stage| matches!(stage, Stage::Block(system) if !system.jerks.is_empty()));
-    let (cost, solving) = if has_jerks || all <= STRAIGHT || 2 * of_kernels > all && all <= LONGEST {
+    let is_straight = has_jerks || all <= STRAIGHT || 2 * runs.size() > all && all <= LONGEST;
+    // A block that may rest is left out alone.
+    let runs = if is_straight || can_rest(frame, stages) { runs } else { runs.joined(frame) };
+    let kernels = Kernels::new(frame, stages, runs);
+    let mut blocks = kernels.blocks.iter().copied();
+    let summaries = stages.iter().map(|stage| summary(arena, stage, &mut blocks)).collect();
+    let (cost, solving) = if is_straight {
         let lines = lines(arena, stages, frame.is_angle.len(), &BTreeSet::new(), is_apart, words);
         (lines.cost, Solving::Straight(lines))
     } else {
