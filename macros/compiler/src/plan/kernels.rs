@@ -63,13 +63,14 @@ impl Round {
 impl Kernels {
     pub(super) fn new(frame: &PlanContext, stages: &[Stage], runs: Runs) -> Kernels {
         let words = frame.words;
-        let Runs { runs, shapes, order, constants } = runs;
+        let Runs { runs, shapes, order, constants, blocks } = runs;
         let turned: Vec<BTreeSet<usize>> = shapes.iter().map(turned).collect();
         let member = |number: usize| runs.iter().zip(&order).filter(move |(_, of)| **of == number).map(|(run, _)| run);
         let mut kernels: Vec<Kernel> =
             shapes.into_iter().enumerate().map(|(number, shape)| kernel(shape, member(number).collect(), &turned[number], words)).collect();
         keep_turns(&mut kernels, &turned);
-        let blocks = blocks(&kernels, &order, &runs);
+        let of_blocks = runs.iter().zip(&order).filter(|(run, _)| run.has_block()).map(|(_, kernel)| kernels[*kernel].step());
+        let blocks = blocks.into_iter().zip(of_blocks).collect();
         Kernels { kernels, order, constants, can_rest: can_rest(frame, stages), blocks }
     }
 
@@ -111,21 +112,6 @@ fn rounds(order: &[usize]) -> Option<Vec<Round>> {
 pub(super) fn can_rest(frame: &PlanContext, stages: &[Stage]) -> bool {
     let is_driven = |stage: &&Stage| matches!(stage, Stage::Explicit { .. }) && stage.depends_on_time(frame.arena);
     stages.iter().filter(is_driven).count() > 1
-}
-
-/// For each block, the number of its shape among blocks, and the operations of one Newton step.
-fn blocks(kernels: &[Kernel], order: &[usize], runs: &[Run]) -> Vec<(usize, Cost)> {
-    let mut shapes: Vec<usize> = Vec::new();
-    let of_blocks = runs.iter().zip(order).filter(|(run, _)| run.has_block());
-    let number = |kernel: usize| {
-        let known = shapes.iter().position(|other| *other == kernel);
-        let shape = known.unwrap_or_else(|| {
-            shapes.push(kernel);
-            shapes.len() - 1
-        });
-        (shape, kernels[kernel].step())
-    };
-    of_blocks.map(|(_, kernel)| *kernel).map(number).collect()
 }
 
 /// Local unknowns whose sine or cosine occurs.

@@ -18,6 +18,8 @@ pub(super) struct Runs<'a> {
     pub(super) order: Vec<usize>,
     /// Unknowns that are constant, with their values; in no run.
     pub(super) constants: Vec<(usize, f64)>,
+    /// For each block, the number of its shape among blocks.
+    pub(super) blocks: Vec<usize>,
 }
 
 /// Stages computed by one call.
@@ -45,35 +47,40 @@ impl<'a> Runs<'a> {
     /// Each block alone, and consecutive unknowns of one owner together.
     pub(super) fn new(frame: &PlanContext, stages: &'a [Stage]) -> Runs<'a> {
         let (runs, constants) = runs(frame, stages);
-        Runs::shaped(frame, runs, constants)
-    }
-
-    fn shaped(frame: &PlanContext, runs: Vec<Run<'a>>, constants: Vec<(usize, f64)>) -> Runs<'a> {
-        let pieces: Vec<Piece> = runs.iter().map(|run| run.piece(frame)).collect();
-        let (shapes, order) = frame.tracer.shapes(&pieces);
-        Runs { runs, shapes, order, constants }
+        let (shapes, order) = shapes_of(frame, &runs);
+        let mut numbers: Vec<usize> = Vec::new();
+        let mut number = |shape: usize| {
+            let known = numbers.iter().position(|other| *other == shape);
+            known.unwrap_or_else(|| {
+                numbers.push(shape);
+                numbers.len() - 1
+            })
+        };
+        let blocks = runs.iter().zip(&order).filter(|(run, _)| run.has_block()).map(|(_, shape)| number(*shape)).collect();
+        Runs { runs, shapes, order, constants, blocks }
     }
 
     /// Number of operations of all shapes.
     pub(super) fn size(&self) -> usize {
-        self.shapes.iter().map(|shape| shape.arena.len()).sum()
+        size(&self.shapes)
     }
 
     /// Each block with the unknowns that follow from it, so that they share operations: a loop of a chain is one call. Where that adds more
     /// operations to the code than it saves in a step, since such runs have more shapes, they stay as they are.
     pub(super) fn joined(self, frame: &PlanContext) -> Runs<'a> {
         let groups = self.followers();
-        let size = |run: &usize| self.shapes[self.order[*run]].arena.len();
+        let own = |run: &usize| self.shapes[self.order[*run]].arena.len();
         let shapes: Lookup<Vec<usize>, usize> =
-            groups.iter().map(|group| (group.iter().map(|run| self.order[*run]).collect(), group.iter().map(size).sum())).collect();
+            groups.iter().map(|group| (group.iter().map(|run| self.order[*run]).collect(), group.iter().map(own).sum())).collect();
         if groups.len() == self.runs.len() || shapes.values().sum::<usize>() > LARGER * self.size() {
             return self;
         }
         let join = |group: &Vec<usize>| Run { stages: group.iter().flat_map(|run| self.runs[*run].stages.clone()).collect(), owner: None };
-        let joined = Runs::shaped(frame, groups.iter().map(join).collect(), self.constants.clone());
+        let runs: Vec<Run> = groups.iter().map(join).collect();
+        let (shapes, order) = shapes_of(frame, &runs);
         // Operations of the code and operations of a step.
-        let costs = |runs: &Runs| runs.size() + runs.order.iter().map(|shape| runs.shapes[*shape].arena.len()).sum::<usize>();
-        if costs(&joined) > costs(&self) { self } else { joined }
+        let costs = |shapes: &[Shape], order: &[usize]| size(shapes) + order.iter().map(|shape| shapes[*shape].arena.len()).sum::<usize>();
+        if costs(&shapes, &order) > costs(&self.shapes, &self.order) { self } else { Runs { runs, shapes, order, ..self } }
     }
 
     /// Runs to join, in order: each with the last block that it depends on; those that depend on none come first, and alone.
@@ -142,6 +149,17 @@ impl Run<'_> {
         };
         self.stages.iter().find_map(of_stage).unwrap_or(0) as u32
     }
+}
+
+/// Shapes of some runs, and the shape of each.
+fn shapes_of(frame: &PlanContext, runs: &[Run]) -> (Vec<Shape>, Vec<usize>) {
+    let pieces: Vec<Piece> = runs.iter().map(|run| run.piece(frame)).collect();
+    frame.tracer.shapes(&pieces)
+}
+
+/// Number of operations of some shapes.
+fn size(shapes: &[Shape]) -> usize {
+    shapes.iter().map(|shape| shape.arena.len()).sum()
 }
 
 /// Groups stages into runs: each block alone, consecutive computed unknowns of one owner together. Constants are returned separately.
