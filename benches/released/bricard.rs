@@ -4,7 +4,6 @@ use reuleaux::nalgebra::{SMatrix, SVector, Vector1, Vector3};
 use reuleaux::{Balance, Constraints, Coordinate, Description, Dynamics, Energy, ParameterOutOfRange, Row, State, mechanism};
 use serde_json::{Value, json};
 
-use super::free;
 use crate::multibody::{Cut, Joint, Model};
 
 mechanism! {
@@ -185,17 +184,13 @@ impl Dynamics<f64, 1, 1, 0, 0> for ByHand {
     const JOINTS: [&'static str; 0] = [];
     const LEVELS: [[bool; 2]; 0] = [];
 
-    fn constraints(&self, _: &SVector<f64, 1>, _: f64) -> Constraints<f64, 0, 1> {
-        free()
-    }
+    fn constraints(&self, _: &SVector<f64, 1>, _: f64, _: &mut Constraints<f64, 0, 1>) {}
 
-    fn initial(&self, _: &SVector<f64, 1>, _: f64) -> Constraints<f64, 0, 1> {
-        free()
-    }
+    fn initial(&self, _: &SVector<f64, 1>, _: f64, _: &mut Constraints<f64, 0, 1>) {}
 
-    fn balance(&self, q: &SVector<f64, 1>, qd: &SVector<f64, 1>, _: f64) -> Balance<f64, 0, 1> {
+    fn balance(&self, q: &SVector<f64, 1>, qd: &SVector<f64, 1>, _: f64, found: &mut Balance<f64, 0, 1>) {
         let [turning, _] = Self::turning(q[0], qd[0]);
-        Balance { jacobian: SMatrix::zeros(), gamma: SVector::zeros(), mass: SMatrix::identity(), forces: Vector1::new(-turning) }
+        (found.mass, found.forces) = (SMatrix::identity(), Vector1::new(-turning));
     }
 
     #[inline(always)]

@@ -6,8 +6,7 @@ pub mod chain;
 pub mod four_bar;
 pub mod top;
 
-use reuleaux::nalgebra::SVector;
-use reuleaux::{Constraints, Dynamics, Integrator, State};
+use reuleaux::{Dynamics, Integrator, State};
 
 /// Goes to `t` (s).
 ///
@@ -23,9 +22,4 @@ pub fn follow<S, const N: usize, const I: usize, const M: usize, const R: usize>
 {
     let reached = integrator.advance_while(mechanism, state, t, |_| true);
     assert!(matches!(reached, Ok(true)), "{reached:?}");
-}
-
-/// No equations.
-fn free<const I: usize>() -> Constraints<f64, 0, I> {
-    Constraints { phi: SVector::zeros(), jacobian: reuleaux::nalgebra::SMatrix::zeros(), nu: SVector::zeros() }
 }

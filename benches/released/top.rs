@@ -89,18 +89,18 @@ impl Dynamics<f64, 4, 4, 1, 1> for ByHand {
     const JOINTS: [&'static str; 1] = ["tip"];
     const LEVELS: [[bool; 2]; 1] = [[true, true]];
 
-    fn constraints(&self, q: &SVector<f64, 4>, _: f64) -> Constraints<f64, 1, 4> {
-        Constraints { phi: SVector::from([q.norm_squared() - 1.0]), jacobian: q.transpose() * 2.0, nu: SVector::zeros() }
+    fn constraints(&self, q: &SVector<f64, 4>, _: f64, found: &mut Constraints<f64, 1, 4>) {
+        (found.phi[0], found.jacobian) = (q.norm_squared() - 1.0, q.transpose() * 2.0);
     }
 
-    fn initial(&self, q: &SVector<f64, 4>, t: f64) -> Constraints<f64, 1, 4> {
-        self.constraints(q, t)
+    fn initial(&self, q: &SVector<f64, 4>, t: f64, found: &mut Constraints<f64, 1, 4>) {
+        self.constraints(q, t, found);
     }
 
-    fn balance(&self, q: &SVector<f64, 4>, qd: &SVector<f64, 4>, _: f64) -> Balance<f64, 1, 4> {
+    fn balance(&self, q: &SVector<f64, 4>, qd: &SVector<f64, 4>, _: f64, found: &mut Balance<f64, 1, 4>) {
         let turning = Self::turning((*q).into(), (*qd).into());
-        let gamma = SVector::from([-2.0 * qd.norm_squared()]);
-        Balance { jacobian: q.transpose() * 2.0, gamma, mass: SMatrix::identity(), forces: -SVector::from(turning) }
+        (found.jacobian, found.gamma[0]) = (q.transpose() * 2.0, -2.0 * qd.norm_squared());
+        (found.mass, found.forces) = (SMatrix::identity(), -SVector::from(turning));
     }
 
     #[inline(always)]

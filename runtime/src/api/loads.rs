@@ -8,6 +8,7 @@ use core::ops::Range;
 
 use nalgebra::{SMatrix, SVector, Vector2, Vector3};
 
+use crate::linear::zeros;
 use crate::number::Scalar;
 use crate::state::{PlanarBody, SpatialBody};
 
@@ -137,28 +138,31 @@ const DEPENDENT: f64 = 1e-11;
 impl<T: Scalar, const M: usize, const A: usize> Loads<T, M, A> {
     /// The multipliers of Φ_uᵀ λ = −f, and the loads that follow from them.
     ///
-    /// * `jacobian`: given, Φ_u.
+    /// * `jacobian`: given, Φ_u; lost.
     /// * `unbalanced`: given, f = M u̇ − Q.
     /// * `actions`: given, computes the loads of joints and drives from λ.
     #[doc(hidden)]
     #[must_use]
     pub fn of<const U: usize>(
-        jacobian: &SMatrix<T, M, U>,
+        jacobian: &mut SMatrix<T, M, U>,
         unbalanced: &SVector<T, U>,
         actions: impl Fn(&SVector<T, M>) -> SVector<T, A>,
     ) -> Self {
         if !jacobian.iter().chain(unbalanced.iter()).all(|value| value.is_finite()) {
             return Self::unknown();
         }
-        let mut matrix = jacobian.transpose();
-        let mut right = -*unbalanced;
-        let (pivots, rank) = eliminate(&mut matrix, &mut right);
+        // The columns of Φ_u are the rows of its transpose.
+        let rows = &mut jacobian.data.0;
+        let mut right = unbalanced.data.0[0].map(|force| -force);
+        let (pivots, rank) = eliminate(rows, &mut right);
         let mut multipliers = SVector::<T, M>::from_element(T::of(0.0));
-        for k in 0..rank {
-            multipliers[pivots[k]] = right[k];
+        for (multiplier, value) in pivots.iter().zip(&right).take(rank) {
+            multipliers[*multiplier] = *value;
         }
         let mut is_unique = [true; M];
-        least_norm(&matrix, &pivots, rank, &mut multipliers, &mut is_unique);
+        if rank < M {
+            least_norm(rows, &pivots, rank, &mut multipliers, &mut is_unique);
+        }
         Self { multipliers, is_unique, actions: actions(&multipliers) }
     }
 
@@ -218,64 +222,70 @@ impl<T: Scalar, const M: usize, const A: usize> Loads<T, M, A> {
     }
 }
 
-/// Gauss-Jordan elimination with complete pivoting: afterwards the columns `pivots[..rank]` are unit vectors in this order. Returns all
+/// Gauss-Jordan elimination of rows with complete pivoting: afterwards the columns `pivots[..rank]` are unit vectors in this order. Returns all
 /// columns, the eliminated ones first, and their number.
-fn eliminate<T: Scalar, const M: usize, const U: usize>(matrix: &mut SMatrix<T, U, M>, right: &mut SVector<T, U>) -> ([usize; M], usize) {
+#[inline(never)]
+fn eliminate<T: Scalar, const M: usize, const U: usize>(rows: &mut [[T; M]; U], right: &mut [T; U]) -> ([usize; M], usize) {
     let mut pivots: [usize; M] = core::array::from_fn(|k| k);
     let mut largest = T::of(0.0);
+    let mut sizes = rows.each_ref().map(|row| largest_of(row, &pivots));
     for rank in 0..M.min(U) {
         let mut best = (T::of(0.0), rank, rank);
-        for column in rank..M {
-            for row in rank..U {
-                let size = matrix[(row, pivots[column])].abs();
-                if size > best.0 {
-                    best = (size, row, column);
-                }
-            }
+        for (row, (size, column)) in sizes.iter().enumerate().skip(rank) {
+            best = if *size > best.0 { (*size, row, *column) } else { best };
         }
         let (size, row, column) = best;
         largest = if size > largest { size } else { largest };
         if size <= T::of(DEPENDENT) * largest {
             return (pivots, rank);
         }
-        pivots.swap(rank, column);
-        matrix.swap_rows(rank, row);
-        right.swap_rows(rank, row);
-        let own = pivots[rank];
-        let pivot = matrix[(rank, own)];
-        for &other in &pivots[rank..] {
-            matrix[(rank, other)] = matrix[(rank, other)] / pivot;
-        }
-        right[rank] = right[rank] / pivot;
+        let place = pivots.iter().position(|pivot| *pivot == column).unwrap_or(rank);
+        pivots.swap(rank, place);
+        rows.swap(rank, row);
+        right.swap(rank, row);
+        sizes.swap(rank, row);
+        let pivot = rows[rank][column];
+        let own = rows[rank].map(|entry| entry / pivot);
+        (rows[rank], right[rank]) = (own, right[rank] / pivot);
+        let side = right[rank];
         for row in (0..U).filter(|row| *row != rank) {
-            let factor = matrix[(row, own)];
-            if factor == T::of(0.0) {
-                continue;
+            let factor = rows[row][column];
+            if factor != T::of(0.0) {
+                for (entry, own) in rows[row].iter_mut().zip(&own) {
+                    *entry = *entry - factor * *own;
+                }
+                right[row] = right[row] - factor * side;
+                sizes[row] = largest_of(&rows[row], &pivots[rank + 1..]);
             }
-            for &other in &pivots[rank..] {
-                matrix[(row, other)] = matrix[(row, other)] - factor * matrix[(rank, other)];
-            }
-            right[row] = right[row] - factor * right[rank];
         }
     }
     (pivots, M.min(U))
 }
 
+/// The largest of these entries of a row, and its column.
+fn largest_of<T: Scalar, const M: usize>(row: &[T; M], columns: &[usize]) -> (T, usize) {
+    columns
+        .iter()
+        .fold((T::of(0.0), 0), |largest, column| if row[*column].abs() > largest.0 { (row[*column].abs(), *column) } else { largest })
+}
+
 /// Removes the component along the null space from a solution, and marks multipliers with an entry in the null space as not unique.
+#[cold]
+#[inline(never)]
 fn least_norm<T: Scalar, const M: usize, const U: usize>(
-    matrix: &SMatrix<T, U, M>,
+    rows: &[[T; M]; U],
     pivots: &[usize; M],
     rank: usize,
     multipliers: &mut SVector<T, M>,
     is_unique: &mut [bool; M],
 ) {
     // Vectors of the null space, orthogonalised.
-    let mut basis = SMatrix::<T, M, M>::from_element(T::of(0.0));
+    let mut basis: SMatrix<T, M, M> = zeros();
     for (count, &free) in pivots[rank..].iter().enumerate() {
         let mut vector = SVector::<T, M>::from_element(T::of(0.0));
         vector[free] = T::of(1.0);
         for k in 0..rank {
-            vector[pivots[k]] = -matrix[(k, free)];
+            vector[pivots[k]] = -rows[k][free];
         }
         for (k, unique) in is_unique.iter_mut().enumerate() {
             *unique &= vector[k].abs() <= T::of(DEPENDENT);

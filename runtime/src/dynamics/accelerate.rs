@@ -45,31 +45,35 @@ where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    let Balance { jacobian, gamma, mass, forces } = mechanism.balance(q, qd, t);
+    let mut balance = Balance::zero();
+    mechanism.balance(q, qd, t, &mut balance);
+    let Balance { jacobian, gamma, mass, forces } = &mut balance;
     let lengths = lengths(mechanism);
-    let parts = match pivots.as_ref().and_then(|pivots| Partition::along(&jacobian, &gamma, pivots, T::of(WORSE))) {
-        Some(parts) => parts,
-        None => Partition::new(&jacobian, &gamma, &lengths, &[true; M], &redundant(mechanism))
-            .map_err(|row| singular::<T, S, N, I, M, R>(t, row))?,
-    };
+    let mut parts = Partition::empty();
+    let known = pivots.as_ref().map(|pivots| (pivots, T::of(WORSE)));
+    parts
+        .solve((jacobian, gamma), known, &lengths, &[true; M], &redundant(mechanism))
+        .map_err(|row| singular::<T, S, N, I, M, R>(t, row))?;
     *pivots = Some(parts.pivots);
     let count = parts.independent();
     // M p
-    let at_rest = times(&mass, &parts.unknowns(&[T::ZERO; I]));
+    let at_rest = times(mass, &parts.unknowns(&[T::ZERO; I]));
     let side = moved(&forces.data.0[0], T::of(1.0), &at_rest);
-    let (mut motions, mut reduced, mut right) = ([[T::ZERO; I]; I], [[T::ZERO; I]; I], [T::ZERO; I]);
-    for k in 0..I {
+    let mut right = [T::ZERO; I];
+    // Nᵀ M N takes the place of the entries of M between independent speeds. From the last speed on, each is read before it is written.
+    for k in (0..I).rev() {
         if k >= count {
-            break;
+            continue;
         }
-        motions[k] = parts.unit(k);
-        let momentum = times(&mass, &motions[k]);
+        let motion = parts.unit(k);
+        let momentum = times(mass, &motion);
         for j in 0..=k {
-            reduced[k][j] = dot(&momentum, &motions[j]);
+            set(mass, [parts.independent_at(k), parts.independent_at(j)], dot(&momentum, &parts.unit(j)));
         }
-        right[k] = -dot(&side, &motions[k]);
+        right[k] = -dot(&side, &motion);
     }
-    solve(&mut reduced, &mut right, count).map_err(|k| {
+    let order: [usize; I] = core::array::from_fn(|place| parts.independent_at(place));
+    solve(mass, &order, &mut right, count).map_err(|k| {
         if !q.iter().chain(qd).chain([&t]).all(|value| value.to_f64().is_finite()) {
             return Stopped::NotFinite { time: t };
         }
@@ -123,43 +127,63 @@ fn powers<T: Scalar, const R: usize, const K: usize>(powers: &[u8; R], length: T
 
 /// A product with a symmetric matrix, of which the lower triangle counts.
 fn times<T: Scalar, const I: usize>(lower: &SMatrix<T, I, I>, vector: &[T; I]) -> [T; I] {
-    let columns = &lower.data.0;
     let mut product = [T::ZERO; I];
-    for row in 0..I {
-        for column in 0..=row {
-            let entry = columns[column][row];
-            product[row] = product[row] + entry * vector[column];
-            if column != row {
-                product[column] = product[column] + entry * vector[row];
-            }
+    for (k, entries) in lower.data.0.iter().enumerate() {
+        let mut own = product[k] + entries[k] * vector[k];
+        for row in k + 1..I {
+            product[row] = product[row] + entries[row] * vector[k];
+            own = own + entries[row] * vector[row];
         }
+        product[k] = own;
     }
     product
+}
+
+/// An entry of a symmetric matrix, of which the lower triangle counts.
+#[inline(always)]
+fn entry<T: Scalar, const I: usize>(lower: &SMatrix<T, I, I>, [one, two]: [usize; 2]) -> T {
+    lower.data.0.get(one.min(two)).and_then(|column| column.get(one.max(two))).copied().unwrap_or(T::ZERO)
+}
+
+#[inline(always)]
+fn set<T: Scalar, const I: usize>(lower: &mut SMatrix<T, I, I>, [one, two]: [usize; 2], value: T) {
+    if let Some(entry) = lower.data.0.get_mut(one.min(two)).and_then(|column| column.get_mut(one.max(two))) {
+        *entry = value;
+    }
 }
 
 fn dot<T: Scalar, const I: usize>(one: &[T; I], two: &[T; I]) -> T {
     one.iter().zip(two).fold(T::ZERO, |sum, (one, two)| sum + *one * *two)
 }
 
-/// Solves a positive definite system of the first `count` rows in place, by L D Lᵀ.
+/// Solves a positive definite system in place, by L D Lᵀ.
+///
+/// * `matrix`: given, the lower triangle of a matrix, of which the rows and columns `order[..count]` count.
 ///
 /// # Errors
-/// The number of a row of which the rows before leave nothing above rounding.
-fn solve<T: Scalar, const I: usize>(matrix: &mut [[T; I]; I], right: &mut [T; I], count: usize) -> Result<(), usize> {
-    let before: [T; I] = core::array::from_fn(|k| matrix[k][k]);
+/// The place of a row of which the rows before leave nothing above rounding.
+fn solve<T: Scalar, const I: usize>(
+    matrix: &mut SMatrix<T, I, I>,
+    order: &[usize; I],
+    right: &mut [T; I],
+    count: usize,
+) -> Result<(), usize> {
+    let at = |row: usize, column: usize| [order.get(row), order.get(column)].map(|place| place.copied().unwrap_or(I));
+    let before: [T; I] = core::array::from_fn(|k| entry(matrix, at(k, k)));
     for k in 0..I {
         if k >= count {
             break;
         }
         // L is stored times D.
         for j in 0..k {
-            let factor = matrix[k][j] / matrix[j][j];
-            for row in matrix.iter_mut().take(count).skip(k) {
-                row[k] = row[k] - factor * row[j];
+            let factor = entry(matrix, at(k, j)) / entry(matrix, at(j, j));
+            for row in k..count {
+                let rest = entry(matrix, at(row, k)) - factor * entry(matrix, at(row, j));
+                set(matrix, at(row, k), rest);
             }
             right[k] = right[k] - factor * right[j];
         }
-        let is_above_zero = matrix[k][k] > T::of(MASSLESS) * T::EPSILON * before[k];
+        let is_above_zero = entry(matrix, at(k, k)) > T::of(MASSLESS) * T::EPSILON * before[k];
         if !is_above_zero {
             return Err(k);
         }
@@ -168,10 +192,10 @@ fn solve<T: Scalar, const I: usize>(matrix: &mut [[T; I]; I], right: &mut [T; I]
         if k >= count {
             continue;
         }
-        for (row, found) in matrix.iter().zip(*right).take(count).skip(k + 1) {
-            right[k] = right[k] - row[k] * found;
+        for row in k + 1..count {
+            right[k] = right[k] - entry(matrix, at(row, k)) * right.get(row).copied().unwrap_or(T::ZERO);
         }
-        right[k] = right[k] / matrix[k][k];
+        right[k] = right[k] / entry(matrix, at(k, k));
     }
     Ok(())
 }

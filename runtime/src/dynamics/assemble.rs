@@ -9,9 +9,9 @@ use nalgebra::SVector;
 use super::accelerate::{lengths, redundant};
 use super::equations::{Constraints, Dynamics};
 use super::integrator::least;
-use super::partition::{Partition, weakest};
+use super::partition::{Partition, Pivots, weakest};
 use super::places::{largest, moved, picked, put};
-use super::project::{Open, gap, levels, project_onto};
+use super::project::{Open, Reached, gap, levels, project_onto};
 use crate::number::Scalar;
 
 /// A part of the residuals is small enough if no coordinate moves farther, in rad or lengths.
@@ -49,7 +49,7 @@ where
 {
     if let Some(defaults) = mechanism.interpolated(T::ZERO) {
         let (mut origin, mut speeds) = (*q, *qd);
-        let closes = project_onto(&defaults, None, (&mut origin, &mut speeds), |q| defaults.initial(q, T::ZERO)).is_ok();
+        let closes = close(&defaults, None, (&mut origin, &mut speeds)).is_ok();
         let [from, to] = [&*q, &origin].map(|place| picked(place, &S::INTEGRATED));
         if closes && largest(&moved(&to, T::of(-1.0), &from), &lengths(mechanism)) <= T::of(FAR) {
             return follow(mechanism, &origin, (q, qd));
@@ -60,7 +60,23 @@ where
         return Ok(());
     }
     *q = declared;
-    project_onto(mechanism, None, (q, qd), |q| mechanism.initial(q, T::ZERO)).map(|_| ())
+    close(mechanism, None, (q, qd)).map(|_| ())
+}
+
+/// Moves a place until all equations at t = 0 hold, and sets its speeds. Returns an order of the elimination of J there.
+#[inline(never)]
+fn close<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    known: Option<&Pivots<T, R, I>>,
+    place: (&mut SVector<T, N>, &mut SVector<T, N>),
+) -> Result<Pivots<T, R, I>, Open<T>>
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let mut reached = Reached::empty();
+    project_onto(mechanism, known, place, |q, found| mechanism.initial(q, T::ZERO, found), &mut reached)?;
+    Ok(reached.pivots)
 }
 
 /// Follows the branch from a place at the defaults.
@@ -91,13 +107,13 @@ where
         let (mut place, mut speeds) = (here, *qd);
         put(&mut place, &S::INTEGRATED, &predicted);
         let known = rows.as_ref().filter(|_| S::REDUNDANT > 0);
-        let found = project_onto(at, known, (&mut place, &mut speeds), |q| at.initial(q, T::ZERO));
+        let found = close(at, known, (&mut place, &mut speeds));
         let after = picked(&place, &S::INTEGRATED);
         let is_short = (0..I).all(|k| {
             let [way, beside] = [&before, &predicted].map(|from| ((after[k] - from[k]) / lengths[k]).abs());
             if S::IS_LENGTH[k] { beside <= T::of(BESIDE) * (way + one) } else { way <= T::of(LONGEST) && beside <= T::of(BESIDE) }
         });
-        if let (Ok((_, pivots)), true, true) = (found, is_short, side_of(at, &place) == side) {
+        if let (Ok(pivots), true, true) = (found, is_short, side_of(at, &place) == side) {
             rows = Some(pivots);
             slope = moved(&after, -one, &before).map(|change| change / by);
             (here, reached, step) = (place, next, step + step);
@@ -121,7 +137,7 @@ where
     };
     for guess in [here, start] {
         let (mut place, mut speeds) = (guess, SVector::from_element(T::ZERO));
-        let found = project_onto(mechanism, None, (&mut place, &mut speeds), |q| mechanism.initial(q, T::ZERO));
+        let found = close(mechanism, None, (&mut place, &mut speeds));
         let [from, to] = [&guess, &place].map(|place| picked(place, &S::INTEGRATED));
         if found.is_ok() && largest(&moved(&to, -one, &from), &lengths) <= T::of(TURNED) && accepts(place, speeds) {
             return Ok(());
@@ -136,8 +152,22 @@ where
         return Err(Open::After(row, reached));
     }
     let [of_positions, _] = levels(&S::LEVELS);
-    let (row, residual) = gap(&mechanism.initial(&here, T::ZERO), &of_positions);
+    let (row, residual) = gap(&initial_at(mechanism, &here), &of_positions);
     Err(Open::Residual(row, residual))
+}
+
+/// Φ, J and ν of all equations at t = 0.
+fn initial_at<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    q: &SVector<T, N>,
+) -> Constraints<T, R, I>
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let mut found = Constraints::zero();
+    mechanism.initial(q, T::ZERO, &mut found);
+    found
 }
 
 /// The row that depends most on the others after a share of the way, and the part of it that does not.
@@ -152,7 +182,7 @@ where
 {
     let [of_positions, _] = levels(&S::LEVELS);
     let between = mechanism.interpolated(share);
-    let rows = between.as_ref().unwrap_or(mechanism).initial(q, T::ZERO).jacobian;
+    let rows = initial_at(between.as_ref().unwrap_or(mechanism), q).jacobian;
     weakest(&rows, &rows, &lengths(mechanism), &of_positions, &redundant(mechanism))
 }
 
@@ -163,9 +193,10 @@ where
     S: Dynamics<T, N, I, M, R>,
 {
     let [of_positions, _] = levels(&S::LEVELS);
-    let jacobian = mechanism.initial(q, T::ZERO).jacobian;
-    let parts = Partition::new(&jacobian, &SVector::from_element(T::ZERO), &lengths(mechanism), &of_positions, &redundant(mechanism));
-    parts.ok().filter(|_| S::REDUNDANT == 0).and_then(|parts| parts.pivots.sign())
+    let jacobian = initial_at(mechanism, q).jacobian;
+    let (mut parts, none) = (Partition::empty(), SVector::from_element(T::ZERO));
+    let found = parts.pivot((&jacobian, &none), &lengths(mechanism), &of_positions, &redundant(mechanism));
+    found.ok().filter(|()| S::REDUNDANT == 0).and_then(|()| parts.pivots.sign())
 }
 
 /// Takes the residuals at the declared start away in parts; true if that succeeds.
@@ -178,19 +209,19 @@ where
     S: Dynamics<T, N, I, M, R>,
 {
     let lengths = lengths(mechanism);
-    let open = mechanism.initial(q, T::ZERO).phi;
+    let open = initial_at(mechanism, q).phi;
     // The equations after a part of the way: the rest of the residuals at the declared start is left open.
     let at = |part: T| {
-        move |q: &SVector<T, N>| {
-            let here = mechanism.initial(q, T::ZERO);
-            Constraints { phi: SVector::from(moved(&here.phi.data.0[0], part - T::of(1.0), &open.data.0[0])), ..here }
+        move |q: &SVector<T, N>, found: &mut Constraints<T, R, I>| {
+            mechanism.initial(q, T::ZERO, found);
+            found.phi = SVector::from(moved(&found.phi.data.0[0], part - T::of(1.0), &open.data.0[0]));
         }
     };
-    let (mut done, mut part) = (T::ZERO, T::of(1.0));
+    let (mut done, mut part, mut reached) = (T::ZERO, T::of(1.0), Reached::empty());
     while done < T::of(1.0) && part >= T::of(SHORTEST) {
         let next = least(done + part, T::of(1.0));
         let (mut place, mut speeds) = (*q, *qd);
-        let found = project_onto(mechanism, None, (&mut place, &mut speeds), at(next));
+        let found = project_onto(mechanism, None, (&mut place, &mut speeds), at(next), &mut reached);
         let [before, after] = [&*q, &place].map(|place| picked(place, &S::INTEGRATED));
         if found.is_ok() && largest(&moved(&after, T::of(-1.0), &before), &lengths) <= T::of(FAR) {
             (*q, *qd, done, part) = (place, speeds, next, part * T::of(2.0));

@@ -11,7 +11,7 @@ use super::accelerate::{accelerations, singular};
 use super::equations::Dynamics;
 use super::partition::Pivots;
 use super::places::{picked, put};
-use super::project::{project, refresh};
+use super::project::{Reached, project, refresh};
 use super::rank::too_short;
 use super::step::is_near;
 use super::stopped::Stopped;
@@ -117,7 +117,8 @@ impl<T: Scalar, const N: usize, const I: usize> Dense<T, N, I> {
             put(vector, &S::INTEGRATED, &core::array::from_fn(|k| value(&coefficients[k])));
         }
         let before = [q, qd];
-        project(mechanism, known, (&mut q, &mut qd), t).map_err(|open| singular::<T, S, N, I, M, R>(t, open.row()))?;
+        let mut reached = Reached::empty();
+        project(mechanism, known, (&mut q, &mut qd), t, &mut reached).map_err(|open| singular::<T, S, N, I, M, R>(t, open.row()))?;
         let mut state = State::new(t, q, qd, self.from.qdd);
         if !is_near(mechanism, before.each_ref(), [&q, &qd], (T::of(COARSER) * tolerance, fastest)) {
             return Err(too_short(mechanism, &state));

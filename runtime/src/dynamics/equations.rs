@@ -2,6 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::linear::zeros;
 use crate::names::Description;
 use crate::number::Scalar;
 use crate::state::State;
@@ -38,19 +39,19 @@ pub trait Dynamics<T: Scalar, const N: usize, const I: usize, const M: usize, co
         None
     }
 
-    /// Φ, J and ν.
-    fn constraints(&self, q: &SVector<T, N>, t: T) -> Constraints<T, M, I>;
+    /// Φ, J and ν, written into zeros or into those of another state: entries of J that are always zero stay as they are.
+    fn constraints(&self, q: &SVector<T, N>, t: T, found: &mut Constraints<T, M, I>);
 
     /// The same for all equations that hold at t = 0.
-    fn initial(&self, q: &SVector<T, N>, t: T) -> Constraints<T, R, I>;
+    fn initial(&self, q: &SVector<T, N>, t: T, found: &mut Constraints<T, R, I>);
 
     /// Where joints are redundant: the joint of the equation that is off most, and its residual, if one does not hold.
     fn misfit(&self, _q: &SVector<T, N>, _t: T) -> Option<(&'static str, T)> {
         None
     }
 
-    /// J, γ, M and f.
-    fn balance(&self, q: &SVector<T, N>, qd: &SVector<T, N>, t: T) -> Balance<T, M, I>;
+    /// J, γ, M and f, written into zeros or into those of another state.
+    fn balance(&self, q: &SVector<T, N>, qd: &SVector<T, N>, t: T, found: &mut Balance<T, M, I>);
 
     /// u̇ in closed form; `None` where its pivots are too small, or where it would be too long.
     fn accelerations(&self, _q: &SVector<T, N>, _qd: &SVector<T, N>, _t: T) -> Option<SVector<T, I>> {
@@ -91,6 +92,15 @@ pub struct Constraints<T, const M: usize, const I: usize> {
     pub nu: SVector<T, M>,
 }
 
+impl<T: Scalar, const M: usize, const I: usize> Constraints<T, M, I> {
+    /// Zeros.
+    #[inline(always)]
+    #[must_use]
+    pub fn zero() -> Self {
+        Self { phi: zeros(), jacobian: zeros(), nu: zeros() }
+    }
+}
+
 /// Equations between accelerations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Balance<T, const M: usize, const I: usize> {
@@ -102,6 +112,15 @@ pub struct Balance<T, const M: usize, const I: usize> {
     pub mass: SMatrix<T, I, I>,
     /// f, M u̇ − Q at u̇ = 0.
     pub forces: SVector<T, I>,
+}
+
+impl<T: Scalar, const M: usize, const I: usize> Balance<T, M, I> {
+    /// Zeros.
+    #[inline(always)]
+    #[must_use]
+    pub fn zero() -> Self {
+        Self { jacobian: zeros(), gamma: zeros(), mass: zeros(), forces: zeros() }
+    }
 }
 
 /// Energies of a mechanism in a state.

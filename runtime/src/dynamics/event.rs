@@ -4,6 +4,7 @@ use super::equations::Dynamics;
 use super::looks::{LOOKS, Looks, changes};
 use super::method::Method;
 use super::places::{picked, put};
+use super::project::Reached;
 use super::step::land;
 use super::stopped::Stopped;
 use crate::number::Scalar;
@@ -45,7 +46,7 @@ where
             return Ok((part, event(to), to.clone()));
         }
         let trial = K::trial(mechanism, from, part * whole)?;
-        land(mechanism, from, &trial, part * whole, None, tolerance).map(|(state, _)| (part, event(&state), state))
+        land(mechanism, (from, None), &trial, part * whole, tolerance, &mut Reached::empty()).map(|state| (part, event(&state), state))
     };
     let look = |part| event(&between(mechanism, from, to, part));
     let mut looks = Looks::new(|number, part| match number {
@@ -174,7 +175,7 @@ where
     // The search compares values: how the instant depends on parameters follows by Newton's method.
     let at = |h: T| {
         let trial = K::trial(mechanism, from, h)?;
-        land(mechanism, from, &trial, h, None, tolerance).map(|(state, _)| (h, event(&state), state))
+        land(mechanism, (from, None), &trial, h, tolerance, &mut Reached::empty()).map(|state| (h, event(&state), state))
     };
     let mut found = (found.0 * whole, found.1, found.2);
     for _ in 0..DERIVATIVES {

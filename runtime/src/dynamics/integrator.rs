@@ -8,9 +8,9 @@ use super::event::first_event;
 use super::explicit::Explicit;
 use super::method::Method;
 use super::places::{largest, picked};
-use super::project::refresh;
+use super::project::{Reached, refresh};
 use super::rank::{keeps_rank, too_short};
-use super::step::{Reached, error, land};
+use super::step::{error, land};
 use super::stiff::Stiff;
 use super::stopped::Stopped;
 use super::tableau::Rates;
@@ -163,7 +163,7 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
 
     /// The state after the next accepted step, at `t` at the latest, and the rates in the stages of an explicit step.
     ///
-    /// * `reached`: given, J at the end of the step before, if there is one; J at the end of this step afterwards.
+    /// * `reached`: given, the equations at the end of the step before, if there is one; returned, those at the end of this step.
     ///
     #[allow(clippy::type_complexity)] // A state and rates.
     pub(super) fn next<S, const N: usize, const I: usize, const M: usize, const R: usize>(
@@ -178,6 +178,7 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
     {
         let rest = t - state.t;
         let direction = if rest < T::ZERO { T::of(-1.0) } else { T::of(1.0) };
+        let mut there = Reached::empty();
         loop {
             let wanted = least(self.step.abs(), self.longest.abs());
             let is_last = wanted * T::of(1.0 + 1e-6) >= rest.abs();
@@ -193,13 +194,13 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
                 let is_accepted = error_and_speed.0 <= T::of(1.0);
                 if is_accepted {
                     let tolerance = (self.tolerance, self.fastest);
-                    land(mechanism, state, &trial, h, reached.as_ref(), tolerance).map(|landed| Some((landed, trial.rates)))
+                    land(mechanism, (state, reached.as_ref()), &trial, h, tolerance, &mut there).map(|next| Some((next, trial.rates)))
                 } else {
                     Ok(None)
                 }
             });
             let (error, fastest) = error_and_speed;
-            if let Ok(Some(((mut next, there), rates))) = tried {
+            if let Ok(Some((mut next, rates))) = tried {
                 keeps_rank::<K, T, S, N, I, M, R>(mechanism, (state, reached.as_ref()), (&next, &there))?;
                 *reached = Some(there);
                 (self.accepted, self.fastest) = (self.accepted + 1, fastest);

@@ -60,6 +60,15 @@ pub(super) struct Pivots<T, const M: usize, const I: usize> {
 }
 
 impl<T, const M: usize, const I: usize> Pivots<T, M, I> {
+    /// No pivots.
+    #[inline(always)]
+    pub(super) fn none() -> Self
+    where
+        T: Scalar,
+    {
+        Self { rows: [0; M], unknowns: [0; I], sizes: [T::ZERO; M], signs: [true; M], count: 0 }
+    }
+
     /// Those of the rows that have a pivot.
     pub(super) fn among(&self, rows: &[bool; M]) -> [bool; M] {
         core::array::from_fn(|row| rows[row] && self.rows.iter().take(self.count).any(|own| *own == row))
@@ -92,15 +101,17 @@ impl<T, const M: usize, const I: usize> Pivots<T, M, I> {
     }
 }
 
-/// The matrix by rows.
-fn by_rows<T: Scalar, const M: usize, const I: usize>(matrix: &SMatrix<T, M, I>) -> [[T; I]; M] {
-    let columns = &matrix.data.0;
-    core::array::from_fn(|row| core::array::from_fn(|column| columns[column][row]))
+/// A row of a matrix.
+#[inline(always)]
+fn row_of<T: Scalar, const M: usize, const I: usize>(matrix: &SMatrix<T, M, I>, row: usize) -> [T; I] {
+    matrix.data.0.each_ref().map(|column| column.get(row).copied().unwrap_or(T::ZERO))
 }
 
-/// The matrix by rows, in the order of the pivots.
-fn arranged<T: Scalar, const M: usize, const I: usize>(matrix: &SMatrix<T, M, I>, pivots: &Pivots<T, M, I>) -> [[T; I]; M] {
-    ordered(&by_rows(matrix), &pivots.rows, [T::ZERO; I]).map(|row| ordered(&row, &pivots.unknowns, T::ZERO))
+/// Writes the rows of a matrix in the order of the pivots.
+fn arrange<T: Scalar, const M: usize, const I: usize>(matrix: &SMatrix<T, M, I>, pivots: &Pivots<T, M, I>, rows: &mut [[T; I]; M]) {
+    for (entries, row) in rows.iter_mut().zip(&pivots.rows) {
+        *entries = ordered(&row_of(matrix, *row), &pivots.unknowns, T::ZERO);
+    }
 }
 
 /// A row to be subtracted from others.
@@ -174,7 +185,35 @@ fn largest_of<T: Scalar, const I: usize>(row: &[T; I], lengths: &[T; I], first: 
     largest
 }
 
+/// Rows to be eliminated: J and b.
+pub(super) type Rows<'a, T, const M: usize, const I: usize> = (&'a SMatrix<T, M, I>, &'a SVector<T, M>);
+
+// A partition fills the place that it is given: it is too large to be moved.
 impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
+    /// No rows.
+    #[inline(always)]
+    pub(super) fn empty() -> Self {
+        Self { rank: 0, pivots: Pivots::none(), rows: [[T::ZERO; I]; M], side: [T::ZERO; M] }
+    }
+
+    /// Eliminates rows in the order of `known` pivots if these are given and good, and otherwise by new ones.
+    ///
+    /// # Errors
+    /// The number of a row that depends on the others.
+    pub(super) fn solve(
+        &mut self,
+        rows: Rows<T, M, I>,
+        known: Option<(&Pivots<T, M, I>, T)>,
+        lengths: &[T; I],
+        takes_part: &[bool; M],
+        redundant: &Redundant<T, M>,
+    ) -> Result<(), usize> {
+        if known.is_some_and(|(pivots, fraction)| self.is_good_along(rows, pivots, fraction)) {
+            return Ok(());
+        }
+        self.pivot(rows, lengths, takes_part, redundant)
+    }
+
     /// Eliminates rows; each pivot is the largest entry of all, relative to its row.
     ///
     /// * `lengths`: given, for each unknown the number that makes it comparable with the others.
@@ -183,32 +222,34 @@ impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
     ///
     /// # Errors
     /// The number of a row that depends on the others.
-    pub(super) fn new(
-        matrix: &SMatrix<T, M, I>,
-        side: &SVector<T, M>,
+    #[inline(never)]
+    pub(super) fn pivot(
+        &mut self,
+        (matrix, side): Rows<T, M, I>,
         lengths: &[T; I],
         takes_part: &[bool; M],
         redundant: &Redundant<T, M>,
-    ) -> Result<Self, usize> {
-        let pivots = Pivots { rows: [0; M], unknowns: core::array::from_fn(|k| k), sizes: [T::ZERO; M], signs: [true; M], count: 0 };
-        let mut this = Self { rank: 0, pivots, rows: [[T::ZERO; I]; M], side: [T::ZERO; M] };
+    ) -> Result<(), usize> {
         let (mut sizes, mut lengths) = ([T::ZERO; M], *lengths);
         let mut count = 0_usize;
-        let mut open = this.rows.iter_mut().zip(&mut this.side).zip(&mut this.pivots.rows).zip(&mut sizes);
-        for (((number, row), value), takes_part) in by_rows(matrix).iter().enumerate().zip(side.iter()).zip(takes_part) {
+        self.rank = 0;
+        self.pivots.unknowns = core::array::from_fn(|k| k);
+        let mut open = self.rows.iter_mut().zip(&mut self.side).zip(&mut self.pivots.rows).zip(&mut sizes);
+        for ((number, value), takes_part) in side.iter().enumerate().zip(takes_part) {
             if !takes_part {
                 continue;
             }
             if let Some((((entries, side), name), own)) = open.next() {
                 let in_general = redundant.sizes.get(number).filter(|_| redundant.count > 0);
-                (*entries, *side, *name, *own) = (*row, *value, number, in_general.copied().unwrap_or_else(|| size(row, &lengths)));
+                *entries = row_of(matrix, number);
+                (*side, *name, *own) = (*value, number, in_general.copied().unwrap_or_else(|| size(entries, &lengths)));
                 count += 1;
             }
         }
-        this.pivots.count = count.saturating_sub(redundant.count);
-        let mut largest = this.rows.each_ref().map(|row| largest_of(row, &lengths, 0));
-        while this.rank < this.pivots.count {
-            let rank = this.rank;
+        self.pivots.count = count.saturating_sub(redundant.count);
+        let mut largest = self.rows.each_ref().map(|row| largest_of(row, &lengths, 0));
+        while self.rank < self.pivots.count {
+            let rank = self.rank;
             // A row without entries stays as it is.
             let mut best = (T::ZERO, T::of(1.0), rank, rank);
             for (row, ((entry, column), size)) in largest.iter().zip(&sizes).enumerate().take(count).skip(rank) {
@@ -219,19 +260,19 @@ impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
             let (entry, size, row, column) = best;
             let is_independent = entry > T::of(DEPENDENT) * T::ROOT_EPSILON * size;
             if !is_independent {
-                return Err(this.pivots.rows.get(row).copied().unwrap_or(0));
+                return Err(self.pivots.rows.get(row).copied().unwrap_or(0));
             }
-            exchange(&mut this.rows, rank, row);
-            exchange(&mut this.side, rank, row);
-            exchange(&mut this.pivots.rows, rank, row);
+            exchange(&mut self.rows, rank, row);
+            exchange(&mut self.side, rank, row);
+            exchange(&mut self.pivots.rows, rank, row);
             exchange(&mut sizes, rank, row);
             exchange(&mut largest, rank, row);
-            exchange(&mut this.pivots.unknowns, rank, column);
+            exchange(&mut self.pivots.unknowns, rank, column);
             exchange(&mut lengths, rank, column);
-            this.rows.iter_mut().take(count).for_each(|row| exchange(row, rank, column));
-            let changes = this.rows.each_ref().map(|row| row.get(rank).is_some_and(|entry| *entry != T::ZERO));
-            this.eliminate(count);
-            let others = this.rows.iter().zip(&mut largest).zip(changes).take(count).skip(rank + 1);
+            self.rows.iter_mut().take(count).for_each(|row| exchange(row, rank, column));
+            let changes = self.rows.each_ref().map(|row| row.get(rank).is_some_and(|entry| *entry != T::ZERO));
+            self.eliminate(count);
+            let others = self.rows.iter().zip(&mut largest).zip(changes).take(count).skip(rank + 1);
             for ((row, found), changes) in others {
                 if changes {
                     *found = largest_of(row, &lengths, rank + 1);
@@ -240,24 +281,25 @@ impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
                 }
             }
         }
-        Ok(this)
+        Ok(())
     }
 
-    /// Eliminates all rows in a known order; `None` if a pivot is below a `fraction` of its size when it was chosen.
-    pub(super) fn along(matrix: &SMatrix<T, M, I>, side: &SVector<T, M>, pivots: &Pivots<T, M, I>, fraction: T) -> Option<Self> {
-        let rows = arranged(matrix, pivots);
-        let side = pivots.rows.map(|row| side.get(row).copied().unwrap_or(T::ZERO));
-        let mut this = Self { rank: 0, pivots: *pivots, rows, side };
+    /// Eliminates all rows in a known order; false if a pivot is below a `fraction` of its size when it was chosen.
+    #[inline(never)]
+    fn is_good_along(&mut self, (matrix, side): Rows<T, M, I>, pivots: &Pivots<T, M, I>, fraction: T) -> bool {
+        (self.rank, self.pivots) = (0, *pivots);
+        arrange(matrix, pivots, &mut self.rows);
+        self.side = pivots.rows.map(|row| side.get(row).copied().unwrap_or(T::ZERO));
         for (k, before) in pivots.sizes.iter().enumerate().take(pivots.count) {
-            let own = this.rows.get(k)?.get(k)?.abs();
+            let own = self.rows.get(k).and_then(|row| row.get(k)).map_or(T::ZERO, |own| own.abs());
             let is_as_good = own >= fraction * *before;
             if !is_as_good {
-                return None;
+                return false;
             }
-            this.eliminate(M);
+            self.eliminate(M);
         }
-        this.pivots.sizes = pivots.sizes;
-        Some(this)
+        self.pivots.sizes = pivots.sizes;
+        true
     }
 
     /// Makes the column of the next pivot a unit vector.
@@ -348,8 +390,8 @@ pub(super) fn has_other_signs<T: Scalar, const M: usize, const I: usize>(
 
 /// For each pivot whether it is above zero.
 fn signs<T: Scalar, const M: usize, const I: usize>(matrix: &SMatrix<T, M, I>, pivots: &Pivots<T, M, I>) -> [bool; M] {
-    let mut rows = arranged(matrix, pivots);
-    let mut signs = [true; M];
+    let (mut rows, mut signs) = ([[T::ZERO; I]; M], [true; M]);
+    arrange(matrix, pivots, &mut rows);
     for (k, sign) in signs.iter_mut().enumerate().take(pivots.count) {
         let own = rows[k];
         let pivot = own.get(k).copied().unwrap_or(T::ZERO);
@@ -371,16 +413,15 @@ pub(super) fn weakest<T: Scalar, const M: usize, const I: usize>(
     takes_part: &[bool; M],
     redundant: &Redundant<T, M>,
 ) -> (usize, T) {
-    let parts = match Partition::new(matrix, &SVector::from_element(T::ZERO), lengths, takes_part, redundant) {
-        Ok(parts) => parts,
-        Err(row) => return (row, T::ZERO),
-    };
+    let mut parts = Partition::empty();
+    if let Err(row) = parts.pivot((matrix, &SVector::from_element(T::ZERO)), lengths, takes_part, redundant) {
+        return (row, T::ZERO);
+    }
     let Pivots { rows, unknowns, sizes, count, .. } = parts.pivots;
-    let before = ordered(&by_rows(elsewhere), &rows, [T::ZERO; I]);
     let own = ordered(lengths, &unknowns, T::of(1.0));
     let mut found = (0, T::of(1.0));
-    for (((row, left), length), before) in rows.iter().zip(&sizes).zip(&own).zip(&before).take(count) {
-        let left = *left * *length / size(before, lengths);
+    for ((row, left), length) in rows.iter().zip(&sizes).zip(&own).take(count) {
+        let left = *left * *length / size(&row_of(elsewhere, *row), lengths);
         found = if left < found.1 { (*row, left) } else { found };
     }
     found

@@ -1,6 +1,6 @@
 //! Positions and speeds that fulfil the equations.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
 use super::accelerate::{eliminated, lengths, redundant, singular};
 use super::assemble::assemble;
@@ -18,10 +18,27 @@ const CORRECTIONS: usize = 50;
 /// Most halvings of a correction.
 const HALVINGS: usize = 12;
 
+/// Equations at a place where they hold, and an order of the elimination of J.
+#[derive(Clone, Copy)]
+pub(super) struct Reached<T, const K: usize, const I: usize> {
+    /// Φ, J and ν.
+    pub(super) here: Constraints<T, K, I>,
+    /// The order.
+    pub(super) pivots: Pivots<T, K, I>,
+}
+
+impl<T: Scalar, const K: usize, const I: usize> Reached<T, K, I> {
+    /// Zeros, to be filled by a projection.
+    #[inline(always)]
+    pub(super) fn empty() -> Self {
+        Self { here: Constraints::zero(), pivots: Pivots::none() }
+    }
+}
+
 /// Moves dependent coordinates of a state until its equations hold at `t`, and sets their speeds; independent ones keep their values.
-/// Returns J there, with an order of its elimination.
 ///
 /// * `known`: given, pivots at a state close by.
+/// * `reached`: returned, the equations there.
 ///
 /// # Errors
 /// The number of the row at fault, and its residual.
@@ -30,13 +47,14 @@ pub(super) fn project<T, S, const N: usize, const I: usize, const M: usize, cons
     known: Option<&Pivots<T, M, I>>,
     state: (&mut SVector<T, N>, &mut SVector<T, N>),
     t: T,
-) -> Result<(SMatrix<T, M, I>, Pivots<T, M, I>), Open<T>>
+    reached: &mut Reached<T, M, I>,
+) -> Result<(), Open<T>>
 where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     // Which rows are redundant may have changed.
-    project_onto(mechanism, known.filter(|_| S::REDUNDANT == 0), state, |q| mechanism.constraints(q, t))
+    project_onto(mechanism, known.filter(|_| S::REDUNDANT == 0), state, |q, found| mechanism.constraints(q, t, found), reached)
 }
 
 /// The same for given equations. Known pivots are taken as they are, also of redundant rows.
@@ -44,8 +62,9 @@ pub(super) fn project_onto<T, S, const N: usize, const I: usize, const M: usize,
     mechanism: &S,
     known: Option<&Pivots<T, K, I>>,
     state: (&mut SVector<T, N>, &mut SVector<T, N>),
-    equations: impl Fn(&SVector<T, N>) -> Constraints<T, K, I>,
-) -> Result<(SMatrix<T, K, I>, Pivots<T, K, I>), Open<T>>
+    equations: impl Fn(&SVector<T, N>, &mut Constraints<T, K, I>),
+    reached: &mut Reached<T, K, I>,
+) -> Result<(), Open<T>>
 where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
@@ -57,20 +76,19 @@ where
     let are_same = of_positions == [true; K] && of_speeds == [true; K];
     let mut kept = known.filter(|_| are_same).copied();
     let fraction = T::of(if S::REDUNDANT == 0 { ABOUT_AS_GOOD } else { WORSE });
-    let mut here = equations(q);
-    let mut open = gap(&here, &of_positions);
+    let Reached { here, pivots } = reached;
+    equations(q, here);
+    let mut open = gap(here, &of_positions);
+    let mut parts = Partition::empty();
     for _ in 0..CORRECTIONS {
         let side = here.phi.map(|phi| -phi);
-        let again = kept.as_ref().and_then(|pivots| Partition::along(&here.jacobian, &side, pivots, fraction));
-        let parts = match again {
-            Some(parts) => parts,
-            None => Partition::new(&here.jacobian, &side, &lengths, &of_positions, &redundant).map_err(Open::Dependent)?,
-        };
+        let known = kept.as_ref().map(|pivots| (pivots, fraction));
+        parts.solve((&here.jacobian, &side), known, &lengths, &of_positions, &redundant).map_err(Open::Dependent)?;
         let mut counts = of_positions;
         if S::REDUNDANT > 0 {
             counts = parts.pivots.among(&of_positions);
             // Those that do not fit would not settle if others were chosen at each correction.
-            (kept, open) = (Some(parts.pivots), gap(&here, &counts));
+            (kept, open) = (Some(parts.pivots), gap(here, &counts));
         }
         let correction = parts.unknowns(&[T::ZERO; I]);
         let size = largest(&correction, &lengths);
@@ -83,8 +101,8 @@ where
         let start = picked(q, &S::INTEGRATED);
         for halving in 0..=HALVINGS {
             put(q, &S::INTEGRATED, &moved(&start, factor, &correction));
-            here = equations(q);
-            let left = gap(&here, &counts);
+            equations(q, here);
+            let left = gap(here, &counts);
             if left.1 < open.1 || is_last || halving == HALVINGS {
                 open = left;
                 break;
@@ -92,14 +110,13 @@ where
             factor = factor * T::of(0.5);
         }
         if is_last {
-            let along = if are_same { Partition::along(&here.jacobian, &here.nu, &parts.pivots, T::of(WORSE)) } else { None };
-            let speeds = match along {
-                Some(speeds) => speeds,
-                None => Partition::new(&here.jacobian, &here.nu, &lengths, &of_speeds, &redundant).map_err(Open::Dependent)?,
-            };
+            *pivots = parts.pivots;
+            let known = are_same.then_some((&*pivots, T::of(WORSE)));
+            parts.solve((&here.jacobian, &here.nu), known, &lengths, &of_speeds, &redundant).map_err(Open::Dependent)?;
             let before = picked(qd, &S::INTEGRATED);
-            put(qd, &S::INTEGRATED, &speeds.unknowns(&speeds.independent_of(&before)));
-            return Ok((here.jacobian, speeds.pivots));
+            put(qd, &S::INTEGRATED, &parts.unknowns(&parts.independent_of(&before)));
+            *pivots = parts.pivots;
+            return Ok(());
         }
     }
     Err(Open::Residual(open.0, open.1))

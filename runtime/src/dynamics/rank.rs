@@ -3,11 +3,11 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::accelerate::{lengths, redundant, singular};
-use super::equations::Dynamics;
+use super::equations::{Constraints, Dynamics};
 use super::method::Method;
-use super::partition::{Partition, has_other_signs, weakest};
+use super::partition::{Partition, Pivots, has_other_signs, weakest};
 use super::places::picked;
-use super::step::Reached;
+use super::project::Reached;
 use super::stopped::Stopped;
 use crate::number::Scalar;
 use crate::state::State;
@@ -28,34 +28,72 @@ const LOST: f64 = 1e-4;
 pub(super) fn keeps_rank<K: Method, T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     (from, before): (&State<T, N>, Option<&Reached<T, M, I>>),
-    (to, (jacobian, pivots)): (&State<T, N>, &Reached<T, M, I>),
+    (to, there): (&State<T, N>, &Reached<T, M, I>),
 ) -> Result<(), Stopped<T>>
 where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    if before.is_some_and(|(_, earlier)| earlier.agree_with(pivots)) {
+    if before.is_some_and(|before| before.pivots.agree_with(&there.pivots)) {
         return Ok(());
     }
-    let lengths = lengths(mechanism);
-    let start = before.map_or_else(|| mechanism.constraints(&from.q, from.t).jacobian, |(start, _)| *start);
-    if !has_other_signs(&start, jacobian, pivots) {
-        return Ok(());
-    }
-    let none = SVector::from_element(T::ZERO);
-    let [before, after] = [(&start, from), (jacobian, to)].map(|(rows, state)| by_turns::<T, S, N, I, M, R>(rows, &state.q));
-    let again = Partition::new(&after, &none, &lengths, &[true; M], &redundant(mechanism));
-    if again.is_ok_and(|parts| !has_other_signs(&before, &after, &parts.pivots)) {
+    let computed;
+    let start = match before {
+        Some(before) => &before.here.jacobian,
+        None => {
+            computed = jacobian_at(mechanism, &from.q, from.t);
+            &computed
+        }
+    };
+    let (end, pivots) = (&there.here.jacobian, &there.pivots);
+    if !has_other_signs(start, end, pivots) || is_alike_by_turns(mechanism, (start, from), (end, to)) {
         return Ok(());
     }
     // Either these pivots are bad somewhere on the way, or all are.
-    let (mut low, mut high, mut last) = (T::ZERO, to.t - from.t, start);
+    search::<K, T, S, N, I, M, R>(mechanism, (from, start), to.t, pivots)
+}
+
+/// True if both ends of a step have pivots of the same signs in an order that is good at its end, quaternions being counted by turns.
+#[cold]
+#[inline(never)]
+fn is_alike_by_turns<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    (start, from): (&SMatrix<T, M, I>, &State<T, N>),
+    (end, to): (&SMatrix<T, M, I>, &State<T, N>),
+) -> bool
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let [before, after] = [(start, from), (end, to)].map(|(rows, state)| by_turns::<T, S, N, I, M, R>(rows, &state.q));
+    let (mut parts, none) = (Partition::empty(), SVector::from_element(T::ZERO));
+    let again = parts.pivot((&after, &none), &lengths(mechanism), &[true; M], &redundant(mechanism));
+    again.is_ok() && !has_other_signs(&before, &after, &parts.pivots)
+}
+
+/// Searches the instant in a step at which a pivot changes its sign.
+///
+/// # Errors
+/// That instant, and a joint whose equations depend on the others there, if there is one.
+#[cold]
+#[inline(never)]
+fn search<K: Method, T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    (from, start): (&State<T, N>, &SMatrix<T, M, I>),
+    end: T,
+    pivots: &Pivots<T, M, I>,
+) -> Result<(), Stopped<T>>
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let (mut low, mut high, mut last) = (T::ZERO, end - from.t, *start);
     for _ in 0..SEARCH {
         let h = (low + high) * T::of(0.5);
         // Near the instant a projection may lead to another branch: these places are those integrated.
-        let there = K::trial(mechanism, from, h).map(|trial| mechanism.constraints(&trial.end[0], from.t + h).jacobian);
+        let there = K::trial(mechanism, from, h).map(|trial| jacobian_at(mechanism, &trial.end[0], from.t + h));
         match there {
-            Ok(there) if !has_other_signs(&start, &there, pivots) => (low, last) = (h, there),
+            Ok(there) if !has_other_signs(start, &there, pivots) => (low, last) = (h, there),
             _ => high = h,
         }
         if (high - low).abs() <= T::EPSILON * (from.t.abs() + high.abs()) {
@@ -63,12 +101,27 @@ where
         }
     }
     // Where rank is lost rows may vanish: they are compared with the rows at the assembled configuration.
-    let assembled = mechanism.constraints(&mechanism.start(), from.t).jacobian;
-    let (row, left) = weakest(&last, &assembled, &lengths, &[true; M], &redundant(mechanism));
+    let assembled = jacobian_at(mechanism, &mechanism.start(), from.t);
+    let (row, left) = weakest(&last, &assembled, &lengths(mechanism), &[true; M], &redundant(mechanism));
     if left > T::of(LOST) {
         return Ok(());
     }
     Err(singular::<T, S, N, I, M, R>(from.t + high, row))
+}
+
+/// J at a place.
+fn jacobian_at<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    q: &SVector<T, N>,
+    t: T,
+) -> SMatrix<T, M, I>
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let mut found = Constraints::zero();
+    mechanism.constraints(q, t, &mut found);
+    found.jacobian
 }
 
 /// A pivot below this part of the natural size of its row may be one of equations that depend on each other.
@@ -87,7 +140,7 @@ const FLAT: f64 = 100.0;
 pub(super) fn is_regular<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     t: T,
-    (jacobian, pivots): &Reached<T, M, I>,
+    Reached { here, pivots }: &Reached<T, M, I>,
 ) -> Result<(), Stopped<T>>
 where
     T: Scalar,
@@ -97,8 +150,8 @@ where
     if pivots.smallest(&lengths, &redundant.sizes) > T::of(SUSPECT) {
         return Ok(());
     }
-    let assembled = mechanism.constraints(&mechanism.start(), t).jacobian;
-    let (row, left) = weakest(jacobian, &assembled, &lengths, &[true; M], &redundant);
+    let assembled = jacobian_at(mechanism, &mechanism.start(), t);
+    let (row, left) = weakest(&here.jacobian, &assembled, &lengths, &[true; M], &redundant);
     if left > T::of(FLAT) * T::ROOT_EPSILON { Ok(()) } else { Err(singular::<T, S, N, I, M, R>(t, row)) }
 }
 
@@ -111,7 +164,7 @@ where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    let rows = |q: &SVector<T, N>| mechanism.constraints(q, state.t).jacobian;
+    let rows = |q: &SVector<T, N>| jacobian_at(mechanism, q, state.t);
     let (row, left) = weakest(&rows(&state.q), &rows(&mechanism.start()), &lengths(mechanism), &[true; M], &redundant(mechanism));
     if left > T::of(LOST) { Stopped::StepTooShort { time: state.t } } else { singular::<T, S, N, I, M, R>(state.t, row) }
 }

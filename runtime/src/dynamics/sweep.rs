@@ -5,7 +5,7 @@ use super::equations::Dynamics;
 use super::explicit::Explicit;
 use super::integrator::Integrator;
 use super::method::Method;
-use super::step::Reached;
+use super::project::Reached;
 use super::stopped::Stopped;
 use crate::number::{Scalar, Time};
 use crate::state::State;
@@ -57,7 +57,7 @@ where
             }
             if let Some(step) = self.step.as_ref().filter(|step| step.contains(t)) {
                 let tolerance = (self.integrator.tolerance, self.integrator.fastest);
-                return step.at(self.mechanism, self.reached.as_ref().map(|(_, pivots)| pivots), t, tolerance);
+                return step.at(self.mechanism, self.reached.as_ref().map(|reached| &reached.pivots), t, tolerance);
             }
             let whole = if t < state.t { T::of(f64::NEG_INFINITY) } else { T::of(f64::INFINITY) };
             // Steps that do not know their stages end at the times.

@@ -38,6 +38,7 @@ pub use selection::solution_by_selection;
 pub use small::Small;
 pub use sparse::{Entries, Sparse};
 pub use turning::{AtIterate, Turning};
+pub use vectors::zeros;
 pub(crate) use vectors::{difference, divided, moved, product, scaled};
 
 /// A [`SimdReal`] with a factorisation of matrices.

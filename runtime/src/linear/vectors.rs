@@ -1,8 +1,8 @@
 //! Sums of vectors. They are compiled once for each length; closures in functions of a mechanism would be compiled once for each mechanism.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{ArrayStorage, SMatrix, SVector};
 
-use crate::number::Real;
+use crate::number::{Real, Scalar};
 
 /// x + h y
 pub(crate) fn moved<T: Real, const N: usize>(x: &SVector<T, N>, h: T, y: &SVector<T, N>) -> SVector<T, N> {
@@ -33,4 +33,11 @@ pub(crate) fn product<T: Real, const N: usize>(matrix: &SMatrix<T, N, N>, x: &SV
         }
     }
     product
+}
+
+/// A matrix of zeros, made where it is wanted: large ones are costly to move.
+#[inline(always)]
+#[must_use]
+pub fn zeros<T: Scalar, const R: usize, const C: usize>() -> SMatrix<T, R, C> {
+    SMatrix::from_array_storage(ArrayStorage([[T::ZERO; R]; C]))
 }

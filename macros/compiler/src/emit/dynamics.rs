@@ -2,14 +2,14 @@
 
 use super::expression::local;
 use super::functions::Emitter;
-use super::literal::{matrix_type, number, real, vector_type};
+use super::literal::{number, vector_type};
 use super::loads::{are_steady, parts};
 use super::routine::{RoutinePrinter, fast_lines};
 use super::{allowed, docs, state_path};
 use crate::plan::{DynamicsCode, Routine};
 use crate::quantity::Role;
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{format_ident, quote};
 
 impl Emitter<'_> {
     /// The trait of the equations of motion and the methods that use it; nothing if all is driven.
@@ -68,7 +68,8 @@ impl Emitter<'_> {
         let (jacobian, rest) = results.split_at(code.entries);
         let (gamma, rest) = rest.split_at(m);
         let (mass, forces) = rest.split_at(code.masses.len());
-        let (matrix, mass) = (matrix((m, i), &code.pattern, jacobian), matrix((i, i), &code.masses, mass));
+        let found = local("found");
+        let (jacobian, mass) = (entered("jacobian", &code.pattern, jacobian), entered("mass", &code.masses, mass));
         let [number_m, number_i, number_r] = [m, i, r].map(number);
         let accelerations = code.accelerations.as_ref().map(|routine| self.accelerations(code, routine, (n, i)));
         let checked = (!code.checked_rows.is_empty()).then(|| self.checks(code, n));
@@ -76,17 +77,15 @@ impl Emitter<'_> {
         let (reads_of_state, steps_of_state, parts) = (&state.reads, &state.steps, parts(&state.results));
         let energy = self.energies(&code.arena, &code.energies);
         quote! {
-            fn constraints(&self, #q: &#of_state, #t: T) -> ::reuleaux::Constraints<T, #number_m, #number_i> { #constraints }
-            fn initial(&self, #q: &#of_state, #t: T) -> ::reuleaux::Constraints<T, #number_r, #number_i> { #initial }
-            fn balance(&self, #q: &#of_state, #qd: &#of_state, #t: T) -> ::reuleaux::Balance<T, #number_m, #number_i> {
+            fn constraints(&self, #q: &#of_state, #t: T, #found: &mut ::reuleaux::Constraints<T, #number_m, #number_i>) { #constraints }
+            fn initial(&self, #q: &#of_state, #t: T, #found: &mut ::reuleaux::Constraints<T, #number_r, #number_i>) { #initial }
+            fn balance(&self, #q: &#of_state, #qd: &#of_state, #t: T, #found: &mut ::reuleaux::Balance<T, #number_m, #number_i>) {
                 #reads
                 #steps
-                ::reuleaux::Balance {
-                    jacobian: #matrix,
-                    gamma: ::core::convert::From::from([#(#gamma),*]),
-                    mass: #mass,
-                    forces: ::core::convert::From::from([#(#forces),*]),
-                }
+                #jacobian
+                #found.gamma = ::core::convert::From::from([#(#gamma),*]);
+                #mass
+                #found.forces = ::core::convert::From::from([#(#forces),*]);
             }
             #checked
             #accelerations
@@ -139,19 +138,16 @@ impl Emitter<'_> {
 
     /// Φ, ν and J of `m` rows.
     fn kinematics(&self, code: &DynamicsCode, routine: &Routine, m: usize) -> TokenStream {
-        let i = code.integrated.len();
         let RoutinePrinter { reads, steps, results } = fast_lines(self.model, &code.arena, routine);
         let (phi, rest) = results.split_at(m);
         let (nu, entries) = rest.split_at(m);
-        let matrix = matrix((m, i), &code.pattern, entries);
+        let (found, jacobian) = (local("found"), entered("jacobian", &code.pattern, entries));
         quote! {
             #reads
             #steps
-            ::reuleaux::Constraints {
-                phi: ::core::convert::From::from([#(#phi),*]),
-                jacobian: #matrix,
-                nu: ::core::convert::From::from([#(#nu),*]),
-            }
+            #found.phi = ::core::convert::From::from([#(#phi),*]);
+            #jacobian
+            #found.nu = ::core::convert::From::from([#(#nu),*]);
         }
     }
 
@@ -274,16 +270,12 @@ impl Emitter<'_> {
     }
 }
 
-/// A matrix with these entries at some places, and zeros at the others.
-fn matrix((rows, columns): (usize, usize), places: &[(usize, usize)], entries: &[TokenStream]) -> TokenStream {
+/// Writes these entries into a matrix.
+fn entered(matrix: &str, places: &[(usize, usize)], entries: &[TokenStream]) -> TokenStream {
+    let (found, matrix) = (local("found"), format_ident!("{matrix}"));
     let writes = places.iter().zip(entries).map(|((row, column), value)| {
         let (row, column) = (number(*row), number(*column));
-        quote!(matrix[(#row, #column)] = #value;)
+        quote!(#found.#matrix[(#row, #column)] = #value;)
     });
-    let (of_matrix, zero) = (matrix_type(rows, columns), real(0.0));
-    quote!({
-        let mut matrix: #of_matrix = ::reuleaux::Matrix::from_element(#zero);
-        #(#writes)*
-        matrix
-    })
+    quote!(#(#writes)*)
 }

@@ -2,7 +2,7 @@
 
 use super::expression::local;
 use super::functions::Emitter;
-use super::literal::{matrix_type, number, real, vector_type};
+use super::literal::{matrix_type, number, vector_type};
 use super::routine::{RoutinePrinter, fast_lines};
 use super::{allowed, docs, state_path};
 use crate::expr::Arena;
@@ -101,17 +101,17 @@ impl Emitter<'_> {
         let RoutinePrinter { reads: reads_of_actions, steps: steps_of_actions, results: values } =
             fast_lines(self.model, &code.arena, &code.actions);
         let data: Vec<Ident> = (0..m).map(|number| local(&format!("d{number}"))).collect();
-        let (zero, motion, count, width) = (real(0.0), motion(), number(m), number(code.width));
+        let (motion, count, width) = (motion(), number(m), number(code.width));
         quote! {
             #[inline(never)]
             fn loads_in_general(&self, state: &#state<T>) -> ::reuleaux::Loads<T, #count, #width> {
                 #motion
                 #reads
                 #steps
-                let mut jacobian: #of_matrix = ::reuleaux::Matrix::from_element(#zero);
+                let mut jacobian: #of_matrix = ::reuleaux::zeros();
                 #(#writes)*
                 let forces: #of_forces = ::core::convert::From::from([#(#forces),*]);
-                ::reuleaux::Loads::of(&jacobian, &forces, |multipliers| self.actions(state, multipliers))
+                ::reuleaux::Loads::of(&mut jacobian, &forces, |multipliers| self.actions(state, multipliers))
             }
             fn actions(&self, state: &#state<T>, multipliers: &#of_lambda) -> #of_actions {
                 #motion
