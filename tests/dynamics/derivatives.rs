@@ -320,3 +320,33 @@ fn drag_has_derivatives_at_rest() {
     assert!((found.value - height).abs() < 1e-11, "{found:?}");
     assert!((found.by[0] - by[0]).abs() < 1e-10 && (found.by[1] - by[1]).abs() < 1e-10, "{found:?}");
 }
+
+mechanism! {
+    /// A slide that runs against a spring.
+    pub(crate) mechanism Bumped {
+        param speed: Velocity = 1m_s;
+        param stiffness: Stiffness = 100N_m;
+        body slide { mass = 1kg; }
+        joint rail = translational((1, 0), (0m, 0m), slide.position);
+        force stop = { at slide.position: (-stiffness * max(slide.x, 0m), 0N); }
+        freedom stroke = slide.x from -100mm at speed;
+    }
+}
+
+#[test]
+fn a_kink_of_a_force_leaves_derivatives_their_digits() {
+    // From the contact at 0.1 m / v on, x = v/ω sin ω(t − 0.1 m / v), ω = √k
+    let (t, v, k) = (0.25, 1.0, 100.0_f64);
+    let (omega, contact) = (k.sqrt(), 0.1 / v);
+    let (sine, cosine) = (omega * (t - contact)).sin_cos();
+    let by_speed = sine / omega + contact / v * cosine;
+    let by_stiffness = (v * (t - contact) * cosine / omega - v * sine / (omega * omega)) / (2.0 * omega);
+    for (tolerance, most) in [(1e-4, 1e-4), (1e-6, 1e-6), (1e-9, 1e-9)] {
+        let varied = Bumped::default().with_derivatives(|bumped| [&mut bumped.speed, &mut bumped.stiffness]);
+        let mut state = varied.initial_state().expect("a state");
+        varied.advance(&mut state, t.into(), &mut Integrator::new(tolerance.into())).expect("the motion goes on");
+        let [found_by_speed, found_by_stiffness] = state.slide().position.x.by;
+        assert!((found_by_speed / by_speed - 1.0).abs() < most, "{tolerance}: {found_by_speed} for {by_speed}");
+        assert!((found_by_stiffness / by_stiffness - 1.0).abs() < most, "{tolerance}: {found_by_stiffness} for {by_stiffness}");
+    }
+}

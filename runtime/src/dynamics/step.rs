@@ -1,15 +1,14 @@
 //! The end of a step: where it leads, and how far it is off.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
 use super::accelerate::{lengths, redundant, singular};
 use super::checks::holds;
 use super::equations::Dynamics;
 use super::explicit::Explicit;
 use super::method::{Method, Trial};
-use super::partition::Pivots;
 use super::places::{is_finite, largest, moved, picked};
-use super::project::{project, refresh};
+use super::project::{Reached, project, refresh};
 use super::rank::{is_regular, keeps_rank, too_short};
 use super::stopped::Stopped;
 use crate::number::Scalar;
@@ -29,7 +28,8 @@ where
     let mut start = state.clone();
     refresh(mechanism, &mut start)?;
     let trial = Explicit::trial(mechanism, &start, h)?;
-    let (next, reached) = land(mechanism, &start, &trial, h, None, (T::of(COARSEST), T::ZERO))?;
+    let mut reached = Reached::empty();
+    let next = land(mechanism, (&start, None), &trial, h, (T::of(COARSEST), T::ZERO), &mut reached)?;
     keeps_rank::<Explicit, T, S, N, I, M, R>(mechanism, (&start, None), (&next, &reached))?;
     *state = next;
     Ok(())
@@ -48,38 +48,39 @@ const ROUNDING: f64 = 10.0;
 ///
 /// Where the equations are nearly dependent, this may move speeds by any amount: a step that they move by more than its tolerance is no step.
 ///
-/// * `before`: given, J before the step.
+/// * `from`, `before`: given, the state before the step, and the equations there.
 /// * `tolerance`, `fastest`: given, how far a state may be brought back relative to lengths and speeds, and the largest speed so far.
+/// * `reached`: returned, the equations at the end of the step.
 pub(super) fn land<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
-    state: &State<T, N>,
+    (from, before): (&State<T, N>, Option<&Reached<T, M, I>>),
     trial: &Trial<T, N, I>,
     h: T,
-    before: Option<&Reached<T, M, I>>,
     (tolerance, fastest): (T, T),
-) -> Result<(State<T, N>, Reached<T, M, I>), Stopped<T>>
+    reached: &mut Reached<T, M, I>,
+) -> Result<State<T, N>, Stopped<T>>
 where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    let ([mut q, mut qd], t) = (trial.end, state.t + h);
+    let ([mut q, mut qd], t) = (trial.end, from.t + h);
     if !(is_finite(&q) && is_finite(&qd)) {
         return Err(Stopped::NotFinite { time: t });
     }
-    let known = before.map(|(_, pivots)| pivots);
-    let reached = project(mechanism, known, (&mut q, &mut qd), t).map_err(|open| singular::<T, S, N, I, M, R>(t, open.row()))?;
+    let known = before.map(|before| &before.pivots);
+    project(mechanism, known, (&mut q, &mut qd), t, reached).map_err(|open| singular::<T, S, N, I, M, R>(t, open.row()))?;
     holds::<T, S, N, I, M, R>(mechanism, &q, t)?;
-    let fastest = [&state.qd, &trial.end[1]].into_iter().fold(fastest, |fastest, speeds| fastest.max(speed(mechanism, speeds)));
+    let fastest = [&from.qd, &trial.end[1]].into_iter().fold(fastest, |fastest, speeds| fastest.max(speed(mechanism, speeds)));
     // Positions are rounded to ε / p, p the smallest pivot, and speeds to that over p.
-    let pivot = reached.1.smallest(&lengths(mechanism), &redundant(mechanism).sizes);
+    let pivot = reached.pivots.smallest(&lengths(mechanism), &redundant(mechanism).sizes);
     let tolerance = tolerance.max(T::of(ROUNDING) * T::EPSILON / (pivot * pivot));
     if !is_near(mechanism, trial.end.each_ref(), [&q, &qd], (tolerance, fastest)) {
-        return Err(too_short(mechanism, &State::new(t, q, qd, state.qdd)));
+        return Err(too_short(mechanism, &State::new(t, q, qd, from.qdd)));
     }
-    is_regular(mechanism, t, &reached)?;
-    let mut next = State::new(t, q, qd, state.qdd);
+    is_regular(mechanism, t, reached)?;
+    let mut next = State::new(t, q, qd, from.qdd);
     refresh(mechanism, &mut next)?;
-    Ok((next, reached))
+    Ok(next)
 }
 
 /// True if positions and speeds that were brought back to where the equations hold are near those before, by a tolerance relative to
@@ -111,14 +112,17 @@ where
     largest(&picked(speeds, &S::INTEGRATED), &lengths(mechanism))
 }
 
-/// J at the end of a step, with an order of its elimination.
-pub(super) type Reached<T, const M: usize, const I: usize> = (SMatrix<T, M, I>, Pivots<T, M, I>);
-
 /// A speed counts as none if it takes a thousand steps for a radian, or for L.
 const SLOW: f64 = 1e-3;
 
 /// Errors of steps add up: each may have this fraction of the tolerance.
 const EACH: f64 = 0.02;
+
+/// Times ε: a step of this part of the time is not shortened for the sake of derivatives.
+const SHORT: f64 = 1e4;
+
+/// Derivatives may have errors larger by this factor.
+const LOOSER: f64 = 10.0;
 
 /// Estimated error of a step, relative to the tolerance, and the largest speed so far.
 pub(super) fn error<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
@@ -146,10 +150,56 @@ where
             (first, second) = (first + one * one, second + two * two);
         }
     }
+    (combined::<T, I>(first, second).max(error_of_derivatives(mechanism, state, trial, h, tolerance)), fastest)
+}
+
+/// Estimated error of a step in the derivatives by parameters, relative to the largest ones and to the tolerance.
+///
+/// Where a force has a kink, values stay smooth enough for long steps, and their derivatives do not.
+#[inline(always)]
+fn error_of_derivatives<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    state: &State<T, N>,
+    trial: &Trial<T, N, I>,
+    h: T,
+    tolerance: T,
+) -> T
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let mut worst = T::ZERO;
+    if h.abs() <= T::of(SHORT) * T::EPSILON * (state.t.abs() + h.abs()) {
+        return worst;
+    }
+    let (lengths, allowed) = (lengths(mechanism), T::of(LOOSER * EACH) * tolerance);
+    let vectors = [&state.q, &trial.end[0], &state.qd, &trial.end[1]].map(|vector| picked(vector, &S::INTEGRATED));
+    for parameter in 0.. {
+        if T::ZERO.derivative(parameter).is_none() {
+            break;
+        }
+        let by = |number: T| number.derivative(parameter).unwrap_or(T::ZERO);
+        let [q, q_there, u, u_there] = vectors.map(|values| largest(&values.map(by), &lengths));
+        let u = u.max(u_there);
+        let scales = [q.max(q_there).max(u * h.abs()), u];
+        let (mut first, mut second) = (T::ZERO, T::ZERO);
+        for (errors, scale) in trial.errors.iter().zip(scales).filter(|(_, scale)| *scale > T::ZERO) {
+            for (errors, length) in errors.iter().zip(&lengths) {
+                let [one, two] = errors.map(|error| by(error) / (allowed * scale * *length));
+                (first, second) = (first + one * one, second + two * two);
+            }
+        }
+        worst = worst.max(combined::<T, I>(first, second));
+    }
+    worst
+}
+
+/// One error of two sums of squares, of which the second damps the first.
+fn combined<T: Scalar, const I: usize>(first: T, second: T) -> T {
     if first == T::ZERO && second == T::ZERO {
-        return (T::ZERO, fastest);
+        return T::ZERO;
     }
     let count = T::of(2.0) * (0..I).fold(T::ZERO, |count, _| count + T::of(1.0));
     let bound = first + T::of(0.01) * second;
-    (first / (bound * count).sqrt(), fastest)
+    first / (bound * count).sqrt()
 }

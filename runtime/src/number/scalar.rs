@@ -26,6 +26,10 @@ pub trait Scalar: SimdReal<Mask = bool, Signs = DetSign> + PartialOrd {
     /// The same value, which depends on no parameter. Sizes of steps are such numbers.
     #[must_use]
     fn without_derivatives(self) -> Self;
+
+    /// Its derivative by the parameter of this number, as a number that depends on none; `None` if there are not so many.
+    #[must_use]
+    fn derivative(self, parameter: usize) -> Option<Self>;
 }
 
 /// A floating-point number depends on nothing.
@@ -49,6 +53,10 @@ macro_rules! scalar {
             #[inline(always)]
             fn without_derivatives(self) -> Self {
                 self
+            }
+            #[inline(always)]
+            fn derivative(self, _: usize) -> Option<Self> {
+                None
             }
         }
     };

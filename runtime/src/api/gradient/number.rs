@@ -306,6 +306,11 @@ impl<T: Float, const P: usize> Scalar for Gradient<T, P> {
     fn without_derivatives(self) -> Self {
         Self::constant(self.value)
     }
+
+    #[inline(always)]
+    fn derivative(self, parameter: usize) -> Option<Self> {
+        self.by.get(parameter).map(|by| Self::constant(*by))
+    }
 }
 
 /// √(1 − x²)
