@@ -107,6 +107,25 @@ fn a_power_vanishes_smoothly_with_its_base() {
     power.solve(2.001).expect_err("below zero");
 }
 
+mechanism! {
+    /// An output whose base passes through zero.
+    mechanism Rooted {
+        body crank { }
+        joint pivot = revolute(ground.position, crank.position);
+        drive motor = drive_angle(crank, 1rad_s * t);
+        output power = (t / 1s) ^ 2.5 with jerk;
+    }
+}
+
+#[test]
+fn a_power_of_a_negative_base_has_no_value_and_no_derivative() {
+    let rooted = Rooted::default();
+    let below = rooted.power(&rooted.solve(-2.0).expect("a state"));
+    assert!([below.value, below.rate, below.acceleration, below.jerk].into_iter().all(f64::is_nan), "{below:?}");
+    let at = rooted.power(&rooted.solve(0.0).expect("a state"));
+    assert_eq!([at.value, at.rate, at.acceleration], [0.0; 3]);
+}
+
 #[test]
 fn a_direction_that_vanishes_is_named() {
     let failure = Guide { across: 0.0 }.solve(0.0).expect_err("no direction");

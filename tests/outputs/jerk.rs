@@ -275,3 +275,28 @@ fn outputs_of_many_parts_have_jerks() -> Outcome {
     }
     Ok(())
 }
+
+mechanism! {
+    /// Slides led by the laws that come to rest at the end of their rise.
+    mechanism Risen {
+        for i in 0..5 {
+            body slide[i] { }
+            joint rail[i] = translational((1, 0), (0m, 0m), slide[i].position);
+            output at[i] = slide[i].x with jerk;
+        }
+        drive d[0] = drive_x(slide[0].position, 50mm * harmonic(t / 1s));
+        drive d[1] = drive_x(slide[1].position, 50mm * linear(t / 1s));
+        drive d[2] = drive_x(slide[2].position, 50mm * smooth_step(t / 1s));
+        drive d[3] = drive_x(slide[3].position, 50mm * double_harmonic(t / 1s));
+        drive d[4] = drive_x(slide[4].position, 50mm * half_cycloidal_start(t / 1s));
+    }
+}
+
+#[test]
+fn a_rise_ends_as_the_dwell_after_it() -> Outcome {
+    let risen = Risen::default();
+    for at in risen.at(&risen.solve(1.0)?) {
+        assert_eq!([at.value, at.rate, at.acceleration, at.jerk], [0.05, 0.0, 0.0, 0.0]);
+    }
+    Ok(())
+}

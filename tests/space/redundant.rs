@@ -37,3 +37,24 @@ fn a_redundant_hinge_whose_axis_is_askew_in_its_bodies_holds_to_rounding() {
         assert!((pin.x - x).abs() < 1e-15 && (pin.y - y).abs() < 1e-15 && pin.z.abs() < 1e-15, "{t}: {pin:?}");
     }
 }
+
+mechanism! {
+    /// A slide on two guides, whose second axis is the first one's to the last digit but one.
+    pub(crate) mechanism Guided in space {
+        ground { axis u = (0.6, 0.8, 0) from (0, 0, 1);  axis v = (0.6, 0.8, 0) from (0, 0, 1); }
+        body slide {
+            axis u = (0.8944271909999159, 0.4472135954999579, 0) from (0, 0, 1);
+            axis v = (0.8944271909999159, 0.44721359549995796, 0) from (0, 0, 1);
+        }
+        joint guide = translational(ground.position, ground.u, slide.position, slide.u);
+        redundant joint second = parallel_axes(ground.v, slide.v);
+        drive feed = drive_translation(guide, 0.1m + 0.1m_s * t);
+    }
+}
+
+#[test]
+fn a_redundant_row_that_is_a_rounding_error_holds() {
+    let at = Guided::default().solve(0.2).expect("the guides fit").slide().position;
+    // 0.12 m along (0.6, 0.8, 0)
+    assert!((at.x - 0.072).abs() < 1e-15 && (at.y - 0.096).abs() < 1e-15 && at.z.abs() < 1e-15, "{at:?}");
+}

@@ -13,4 +13,4 @@
 ///
 /// Reference: Rothbart, Cam Design Handbook, chapter 2.
 function double_harmonic(u: Number) -> Number =
-    if u < 1 { (1 - cos(pi * max(u, 0))) / 2 - (1 - cos(2 * pi * max(u, 0))) / 8 } else { 1 + (min(u, 1) - 1)^3 };
+    if u < 1 { (1 - cos(pi * max(u, 0))) / 2 - (1 - cos(2 * pi * max(u, 0))) / 8 } else { 1 + (min(u, 1) - 1)^4 };

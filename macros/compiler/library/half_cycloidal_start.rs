@@ -11,4 +11,4 @@
 ///
 /// Reference: Rothbart, Cam Design Handbook, chapter 2 (curve C-1).
 function half_cycloidal_start(u: Number) -> Number =
-    if u < 1 { max(u, 0) - sin(pi * max(u, 0)) / pi } else { 1 + (min(u, 1) - 1)^3 };
+    if u < 1 { max(u, 0) - sin(pi * max(u, 0)) / pi } else { 1 + (min(u, 1) - 1)^4 };

@@ -12,4 +12,4 @@
 ///
 /// Reference: Norton, Cam Design and Manufacturing Handbook, chapters 2 and 3.
 function harmonic(u: Number) -> Number =
-    if u < 1 { (1 - cos(pi * max(u, 0))) / 2 } else { 1 + (min(u, 1) - 1)^3 };
+    if u < 1 { (1 - cos(pi * max(u, 0))) / 2 } else { 1 + (min(u, 1) - 1)^4 };

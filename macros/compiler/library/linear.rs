@@ -13,4 +13,4 @@
 ///
 /// Reference: Norton, Cam Design and Manufacturing Handbook, chapters 2 and 3.
 function linear(u: Number) -> Number =
-    if u < 1 { max(u, 0) } else { 1 + (min(u, 1) - 1)^3 };
+    if u < 1 { max(u, 0) } else { 1 + (min(u, 1) - 1)^4 };

@@ -12,4 +12,4 @@
 ///
 /// Reference: Norton, Cam Design and Manufacturing Handbook, chapters 2 and 3.
 function smooth_step(u: Number) -> Number =
-    if u < 1/2 { max(u, 0)^2 * (3 - 2 * max(u, 0)) } else if u < 1 { 1 - (1 - u)^2 * (3 - 2 * (1 - u)) } else { 1 + (min(u, 1) - 1)^3 };
+    if u < 1/2 { max(u, 0)^2 * (3 - 2 * max(u, 0)) } else if u < 1 { 1 - (1 - u)^2 * (3 - 2 * (1 - u)) } else { 1 + (min(u, 1) - 1)^4 };

@@ -17,6 +17,9 @@ use crate::structure::{Block, Explicit, Structure};
 use crate::system::{OutputMotion, System, magnitude};
 use std::collections::BTreeSet;
 
+/// A redundant equation that is a number holds up to so many m or rad: 64 roundings of numbers about 1, as where it is evaluated.
+const ROUNDED: f64 = 64.0 * f64::EPSILON;
+
 /// Stages of a mechanism whose unknowns all belong to blocks, and outputs with constants substituted.
 pub(super) fn stages(
     arena: &mut Arena,
@@ -85,7 +88,8 @@ impl StageBuilder<'_> {
     /// A checked equation; `None` if it holds for all parameters.
     fn check(&mut self, equation: usize) -> Option<Stage> {
         let residual = self.constants.of(self.arena, self.system.equations[equation].phi()?);
-        if self.arena.as_constant(residual).is_some_and(|value| value.is_zero()) {
+        // A number that nothing changes is known to be a rounding error.
+        if self.arena.value(residual).is_some_and(|value| value.abs() <= ROUNDED) {
             return None;
         }
         let [lengths, angles] = [Dim::LENGTH, Dim::ANGLE].map(|dim| self.slope(equation, dim));

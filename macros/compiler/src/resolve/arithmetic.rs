@@ -223,12 +223,12 @@ impl Elaborator<'_> {
     }
 
     /// Extends a fractional power above the second to the base 0. There it vanishes with its first two derivatives, but its formula
-    /// with roots or logarithms is singular. Below 0 it is not finite.
+    /// with roots or logarithms is singular. Below 0 neither it nor any of its derivatives has a value.
     fn with_zero(&mut self, base: Expr, power: Expr) -> Expr {
-        let (zero, one) = (self.arena.integer(0), self.arena.integer(1));
-        let sign = self.arena.unary(Unary::Sign, base);
-        let from_one = self.arena.add(one, sign);
-        let otherwise = self.arena.unary(Unary::Ln, from_one);
+        let (zero, sign) = (self.arena.integer(0), self.arena.unary(Unary::Sign, base));
+        // The root is 0 or NaN.
+        let (root, cube) = (self.arena.sqrt(sign), self.arena.power(base, 3));
+        let otherwise = self.arena.mul(cube, root);
         self.arena.select(zero, base, power, otherwise)
     }
 
