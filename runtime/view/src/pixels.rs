@@ -7,6 +7,9 @@ use resvg::usvg::{Options, Tree, fontdb};
 
 use crate::unviewable::Unviewable;
 
+/// Most pixels of a picture; each takes four bytes of memory.
+const MOST: u64 = 1 << 28;
+
 /// Renderer with the fonts of this machine.
 pub(crate) struct Painter {
     options: Options<'static>,
@@ -31,7 +34,9 @@ impl Painter {
         let tree = Tree::from_str(svg, &self.options).map_err(|reason| Unviewable::Pixels(reason.to_string()))?;
         let scale = width as f32 / tree.size().width();
         let height = (tree.size().height() * scale).ceil() as u32;
-        let mut pixels = Pixmap::new(width, height).ok_or_else(|| Unviewable::Pixels(format!("{width} × {height}")))?;
+        let is_small = u64::from(width) * u64::from(height) <= MOST;
+        let pixels = if is_small { Pixmap::new(width, height) } else { None };
+        let mut pixels = pixels.ok_or_else(|| Unviewable::Pixels(format!("{width} × {height}")))?;
         resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixels.as_mut());
         pixels.encode_png().map_err(|reason| Unviewable::Pixels(reason.to_string()))
     }

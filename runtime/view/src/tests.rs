@@ -336,6 +336,15 @@ fn frames_have_pixels() -> Result<(), Unviewable> {
     Ok(())
 }
 
+#[cfg(feature = "png")]
+#[test]
+fn a_frame_too_large_for_memory_is_an_error() {
+    let folder = std::env::temp_dir().join(format!("reuleaux-view-large-{}", std::process::id()));
+    let refused = view(2).png_frames(&folder, 4_000_000);
+    assert!(matches!(refused, Err(Unviewable::Pixels(_) | Unviewable::NoFont)), "{refused:?}");
+    fs::remove_dir_all(&folder).expect("the folder is made first");
+}
+
 #[test]
 fn independent_results_are_marked_in_the_page() -> Result<(), Unviewable> {
     let view = view(12).against("closed form", |angle| angle + 0.0);

@@ -92,7 +92,7 @@ impl fmt::Display for Doubt {
             Doubt::BareAngle { of, number } => {
                 let in_unit = |unit: &str| match of {
                     AngleOf::Function(function) => format!("{function}({number}{unit})"),
-                    AngleOf::Start | AngleOf::Law => format!("{number}{unit}"),
+                    AngleOf::Start | AngleOf::Law | AngleOf::Part => format!("{number}{unit}"),
                 };
                 write!(f, "`{number}` has no unit: it is {number} rad")?;
                 match of {
@@ -102,7 +102,7 @@ impl fmt::Display for Doubt {
                             ", at which the drive stands still\nhelp: write `{number}rpm * t` for a speed, or `{number}deg` for an angle"
                         )
                     }
-                    AngleOf::Start | AngleOf::Function(_) => {
+                    AngleOf::Start | AngleOf::Function(_) | AngleOf::Part => {
                         write!(f, "\nhelp: write `{}`, or `{}` if it is meant", in_unit("deg"), in_unit("rad"))
                     }
                 }

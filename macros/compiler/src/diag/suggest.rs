@@ -117,6 +117,8 @@ pub(crate) fn nearest_unit(typed: &str) -> Option<String> {
     let without = |at: usize| letters[..at].iter().chain(&letters[at + 1..]).collect::<String>();
     let shorter = (0..letters.len()).filter(is_repeated).map(without).find(|shorter| unit(shorter).is_some());
     let shorter = shorter.or_else(|| Some(typed.replace('_', "")).filter(|joined| unit(joined).is_some()));
+    // `kgm^2` is `kgm2`.
+    let shorter = shorter.or_else(|| Some(format!("{typed}2")).filter(|squared| unit(squared).is_some()));
     // A unit with another power is one of another dimension.
     let digits = |text: &str| text.chars().filter(char::is_ascii_digit).collect::<String>();
     shorter.or_else(|| nearest(typed, units().filter(|known| digits(known) == digits(typed))))

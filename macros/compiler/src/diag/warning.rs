@@ -76,6 +76,8 @@ pub enum AngleOf {
     Law,
     /// `sin`, `cos` or `tan`.
     Function(String),
+    /// A part of one of these.
+    Part,
 }
 
 impl Warning {

@@ -1,7 +1,7 @@
 //! Warnings about angles without a unit, which count as radians.
 
-use crate::diag::{AngleOf, Doubt, Warning};
-use crate::syntax::ast::{Expression, ExpressionKind, Item, JointBody, Mechanism, Statement};
+use crate::diag::{AngleOf, Doubt, Range, Warning};
+use crate::syntax::ast::{Expression, ExpressionKind, Item, JointBody, Mechanism, Operator, Statement};
 
 /// Drives that prescribe an angle.
 const DRIVES: [&str; 3] = ["drive_angle", "drive_relative_angle", "drive_rotation"];
@@ -87,17 +87,33 @@ fn names_angle(value: &Expression) -> bool {
 }
 
 fn of_angle(of: AngleOf, value: &Expression, found: &mut Vec<Warning>) {
-    found.extend(degrees(value).map(|number| Warning { doubt: Doubt::BareAngle { of, number }, range: value.range }));
+    let of = if matches!(value.kind, ExpressionKind::Binary(..)) { AngleOf::Part } else { of };
+    found.extend(degrees(value).map(|(number, range)| Warning { doubt: Doubt::BareAngle { of, number }, range }));
 }
 
-/// A bare number of more than a turn in radians, as written: it is rather one of degrees.
-fn degrees(argument: &Expression) -> Option<String> {
+/// A bare number of more than a turn in radians, as written: it is rather one of degrees. Also where it is a term, or an amplitude of a sine.
+fn degrees(argument: &Expression) -> Option<(String, Range)> {
     match &argument.kind {
-        ExpressionKind::Negative(inner) => degrees(inner).map(|number| format!("-{number}")),
+        ExpressionKind::Negative(inner) => degrees(inner).map(|(number, _)| (format!("-{number}"), argument.range)),
         ExpressionKind::Number { digits, unit } if unit.is_empty() => {
             let is_large = digits.parse::<f64>().is_ok_and(|value| value > std::f64::consts::TAU);
-            is_large.then(|| digits.clone())
+            is_large.then(|| (digits.clone(), argument.range))
         }
+        ExpressionKind::Binary(Operator::Add | Operator::Sub, one, two) => degrees(one).or_else(|| degrees(two)),
+        ExpressionKind::Binary(Operator::Mul, one, two) => match (is_number(one), is_wave(two), is_wave(one)) {
+            (true, true, _) => degrees(one),
+            (_, _, true) if is_number(two) => degrees(two),
+            _ => None,
+        },
         _ => None,
     }
+}
+
+fn is_number(value: &Expression) -> bool {
+    matches!(value.kind, ExpressionKind::Number { .. })
+}
+
+/// True for a sine or cosine.
+fn is_wave(value: &Expression) -> bool {
+    matches!(&value.kind, ExpressionKind::Call(path, _) if path.name.as_ref().is_some_and(|name| name == "sin" || name == "cos"))
 }

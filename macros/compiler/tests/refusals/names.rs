@@ -24,6 +24,11 @@ crate::refusals! {
     item constraint_as_a_function: "output b = «revolute»(ground.O, crank.O);" => "`revolute` is a constraint, not a function\nhelp: write `joint name = revolute(…);`";
     item number_as_a_function: "output b = «length»(2);" => "expected a function, found a number\nhelp: a product is written with `*`";
     item unit_is_mistyped: "param a: Length = «100furlong»;" => "no unit is called `furlong`\nnote: there are `m`, `cm`, `mm`, `um`, `km`, `in`, `ft`, `rad`, `mrad`, `deg`, `turn`, `s`, `ms`, `us`, `min`, `h`, `kg`, `g`, `rpm`, `rad_s`, `deg_s`, `rad_s2`, `deg_s2`, `m_s`, `mm_s`, `m_s2`, `mm_s2`, `mm2`, `m2`, `N`, `kN`, `Nm`, `Nmm`, `J`, `mJ`, `kJ`, `kgm2`, `N_m`, `N_mm`, `kN_m`, `Ns_m`, `Nm_rad`, `Nms`, `Nms_rad`, `W`, `kW`, `Pa`, `kPa`, `bar` and `MPa`";
+    item unit_with_its_power_apart: "body b { inertia = «3kgm»^2; }" => "no unit is called `kgm`\nhelp: did you mean `3kgm2`?";
+    item length_of_a_vector_by_another_word: "output far = «magnitude»(crank.A - ground.position);" => "no function is called `magnitude`\nhelp: the length of a vector is `norm(v)`";
+    item distance_as_a_function: "output far = «distance»(crank.A, ground.position);" => "`distance` is a constraint, not a function\nhelp: the distance of two points is `norm(Q - P)`";
+    item angle_as_a_function: "output turned = «angle»(crank);" => "no function is called `angle`\nhelp: the angle of a body is `body.angle`, that of a vector `direction(v)`";
+    item output_that_would_hide_derivatives: "output «derivatives» = crank.x;" => "an output cannot be called `derivatives`: a generated function has that name\nhelp: choose another name, such as `derivatives_value`";
     item unit_of_elsewhere: "body b { inertia = «3000kgmm2»; }" => "no unit is called `kgmm2`\nhelp: `1kgmm2` is `0.000001kgm2`";
     item unit_with_another_prefix: "param a: Torque = «5kNm»;" => "no unit is called `kNm`\nhelp: `1kNm` is `1000Nm`";
     item unit_of_volume: "param a: Length = «5mm3» / 1mm2;" => "no unit is called `mm3`\nhelp: `1mm3` is `1mm2 * 1mm`";

@@ -192,7 +192,11 @@ fn drives_that_stand_still_at_a_bare_number_are_doubted() {
     for source in [plane("60"), space("60")] {
         assert_eq!(doubts(source), [wanted]);
     }
-    for sure in ["6", "60deg", "60rad", "60rpm * t", "90deg + 60rpm * t"] {
+    for sure in ["6", "60deg", "60rad", "60rpm * t", "90deg + 60rpm * t", "3 * sin(60rpm * t) + 6", "sin(60 * t / 1s)"] {
         assert_eq!(doubts(plane(sure)), [""; 0], "{sure}");
+    }
+    let as_a_part = "`90` has no unit: it is 90 rad\nhelp: write `90deg`, or `90rad` if it is meant";
+    for law in ["60rpm * t + 90", "0.5rad - 90", "90 * sin(60rpm * t)", "6 - cos(60rpm * t) * 90"] {
+        assert_eq!(doubts(plane(law)), [as_a_part], "{law}");
     }
 }

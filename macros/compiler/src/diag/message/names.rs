@@ -72,11 +72,20 @@ impl Display for NameFact {
                     None => write!(f, "\nhelp: write `joint.angle` with the name of a joint, or `joint_angle(a, b)` of two axes"),
                 }
             }
+            NameFact::UnknownFunction { name, is_constraint: true, .. } if name == "distance" => {
+                write!(f, "`distance` is a constraint, not a function\nhelp: the distance of two points is `norm(Q - P)`")
+            }
             NameFact::UnknownFunction { name, is_constraint: true, .. } => {
                 write!(f, "`{name}` is a constraint, not a function\nhelp: write `joint name = {name}(…);`")
             }
             NameFact::UnknownFunction { name, .. } if is_power(name) => {
                 write!(f, "no function is called `{name}`\nhelp: a power is written `a^b`")
+            }
+            NameFact::UnknownFunction { name, .. } if ["length", "len", "magnitude", "modulus"].contains(&name.as_str()) => {
+                write!(f, "no function is called `{name}`\nhelp: the length of a vector is `norm(v)`")
+            }
+            NameFact::UnknownFunction { name, .. } if name == "angle" => {
+                write!(f, "no function is called `angle`\nhelp: the angle of a body is `body.angle`, that of a vector `direction(v)`")
             }
             NameFact::UnknownFunction { name, .. } if is_acceleration(name) => {
                 write!(f, "no function is called `{name}`")?;
