@@ -186,8 +186,8 @@ fn bodies_in_space_have_direction_cosines() -> Outcome {
     near("disk.a11 (1)", phi.cos());
     near("disk.angular_velocity.z (rad/s)", omega);
     near("disk.angular_acceleration.z (rad/s²)", alpha);
-    near("disk.a21 rate (1/s)", phi.cos() * omega);
-    near("disk.a12 acceleration (1/s²)", phi.sin() * omega * omega - phi.cos() * alpha);
+    near("output disk.a21 rate (1/s)", phi.cos() * omega);
+    near("output disk.a12 acceleration (1/s²)", phi.sin() * omega * omega - phi.cos() * alpha);
     near("rim.x acceleration (m/s²)", -phi.cos() * omega * omega - phi.sin() * alpha);
     near("rim.z (m)", 0.5);
     Ok(())
@@ -202,6 +202,28 @@ fn motion_from_forces_makes_a_table() -> Outcome {
     let (header, rows) = parsed(&table);
     // A point mass, horizontal and at rest: φ̈ = −g / l.
     assert!((rows[0][column(&header, "swing acceleration (rad/s²)")] + 9.81).abs() < 1e-12);
+    Ok(())
+}
+
+mechanism! {
+    /// An output with the name of a body.
+    #[outputs]
+    mechanism Named {
+        body disc { point P = (2m, 0m); }
+        joint pin = revolute(ground.position, disc.position);
+        drive motor = drive_angle(disc, 1rad_s * t);
+        output disc = disc.P;
+    }
+}
+
+#[test]
+fn an_output_that_is_called_like_a_body_has_columns_of_its_own() -> Outcome {
+    let (named, mut table, mut outputs) = (Named::default(), Vec::new(), Vec::new());
+    csv::write(&mut table, &named, named.sweep([0.0]))?;
+    csv::write_outputs(&mut outputs, &named, named.sweep([0.0]))?;
+    let (header, rows) = parsed(&table);
+    assert_eq!((rows[0][column(&header, "disc.x (m)")], rows[0][column(&header, "output disc.x (m)")]), (0.0, 2.0));
+    assert!(parsed(&outputs).0.iter().all(|name| !name.contains("output")));
     Ok(())
 }
 

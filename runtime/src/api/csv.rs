@@ -48,6 +48,7 @@ pub enum Unwritten<E> {
 }
 
 /// Writes a motion: time, the coordinates, and the outputs, with rates and accelerations, and with jerks where outputs are declared so.
+/// An output that is called like a coordinate, such as `disc.x`, is `output disc.x`.
 ///
 /// * `to`: given, a file, a `Vec<u8>` or the like; files should be buffered.
 /// * `mechanism`: given, declared with `#[outputs]`.
@@ -67,7 +68,7 @@ where
 {
     let names = |table: &mut Table<W>| {
         coordinate_names(table, M::COORDINATES)?;
-        output_names(table, &M::OUTPUTS)
+        output_names(table, &M::OUTPUTS, M::COORDINATES)
     };
     let numbers = |table: &mut Table<W>, state: &M::State| {
         coordinates(table, state, M::COORDINATES)?;
@@ -90,7 +91,7 @@ where
     M: Outputs<T, N, K>,
     T: Float,
 {
-    let names = |table: &mut Table<W>| output_names(table, &M::OUTPUTS);
+    let names = |table: &mut Table<W>| output_names(table, &M::OUTPUTS, &[]);
     tabulate(to, states, names, |table, state| outputs(table, &M::OUTPUTS, mechanism.outputs_with_jerk(state)))
 }
 
@@ -229,11 +230,14 @@ fn coordinates<W: Write, T: Float, const N: usize>(
     Ok(())
 }
 
-fn output_names<W: Write, const K: usize>(table: &mut Table<W>, names: &OutputNames<K>) -> io::Result<()> {
+/// * `beside`: given, the coordinates in the same table.
+fn output_names<W: Write, const K: usize>(table: &mut Table<W>, names: &OutputNames<K>, beside: &[Coordinate]) -> io::Result<()> {
     for output in &names.0 {
         let OutputName { name, units } = output;
+        let is_called = |own: &Coordinate| name.strip_prefix(own.body).and_then(|rest| rest.strip_prefix('.')) == Some(own.name);
+        let word = if beside.iter().any(is_called) { "output " } else { "" };
         for (order, unit) in ORDERS.iter().zip(units).take(columns(output)) {
-            table.name(format_args!("{name}{order}"), if unit.is_empty() { "1" } else { unit })?;
+            table.name(format_args!("{word}{name}{order}"), if unit.is_empty() { "1" } else { unit })?;
         }
     }
     Ok(())

@@ -233,7 +233,7 @@ impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
         let (mut sizes, mut lengths) = ([T::ZERO; M], *lengths);
         let mut count = 0_usize;
         self.rank = 0;
-        self.pivots.unknowns = core::array::from_fn(|k| k);
+        self.pivots = Pivots { unknowns: core::array::from_fn(|k| k), ..Pivots::none() };
         let mut open = self.rows.iter_mut().zip(&mut self.side).zip(&mut self.pivots.rows).zip(&mut sizes);
         for ((number, value), takes_part) in side.iter().enumerate().zip(takes_part) {
             if !takes_part {
