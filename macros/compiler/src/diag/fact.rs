@@ -240,7 +240,7 @@ pub enum ValueFact {
     EnergyOfVelocities,
     NotAnEnergy { found: Dim },
     NegativeMass { what: &'static str, body: String, value: f64, dim: Dim },
-    ImpossibleInertia { body: String },
+    ImpossibleInertia { body: String, by_products: bool },
     CenterWithoutMass { body: String },
     ShapeWithoutMass { name: String },
     ZeroAxis { name: String, in_space: bool },

@@ -37,7 +37,8 @@ impl Mass {
             if let [xx, yy, zz, xy, xz, yz] = values[..]
                 && !is_inertia([xx, yy, zz, xy, xz, yz])
             {
-                return Some((what, ValueFact::ImpossibleInertia { body }));
+                let by_products = is_inertia([xx, yy, zz, 0.0, 0.0, 0.0]);
+                return Some((what, ValueFact::ImpossibleInertia { body, by_products }));
             }
         }
         None

@@ -65,7 +65,7 @@ crate::refusals! {
     item too_few_arguments: "component Leg(P: Point, Q: Point) {} part p = «Leg»(ground.O);" => "`Leg` takes 2 arguments, found 1: `Q` is missing\nnote: `Leg(P: Point, Q: Point)`";
     item too_many_arguments: "component Leg(P: Point) {} part p = Leg(ground.O, «ground.C»);" => "`Leg` takes 1 argument, found 2\nnote: `Leg(P: Point)`";
     item argument_is_mistyped: "component Leg(pivot: Point) {} part p = Leg(«pivo»: ground.O);" => "`Leg` has no parameter `pivo`\nhelp: did you mean `pivot`?\nnote: `Leg(pivot: Point)`";
-    item body_for_a_point: "component Leg(P: Point) {} part p = Leg(«crank»);" => "`P` of `Leg` takes a point, found a body\nhelp: write `crank.A`";
+    item body_for_a_point: "component Leg(P: Point) {} part p = Leg(«crank»);" => "`P` of `Leg` takes a point, found a body\nhelp: write `crank.A`, or `crank.position` for its origin";
     item angle_for_a_length: "component Leg(a: Length) {} part p = Leg(«3deg»);" => "`a` of `Leg` is a length (m), found an angle (rad)";
     item arguments_in_a_circle: "component Leg(a: Length) { let b = 2 * «a»; } part p = Leg(q.b); part q = Leg(p.b);" => "`a` depends on itself, by way of `q.b`, `q.a` and `p.b`\nnote: in `p.b`";
     // Scope of a component.

@@ -42,7 +42,7 @@ crate::refusals! {
     item table_of_unlike: "output b = table(crank.angle, [(0deg, 0mm), («90mm», 5mm)]);" => "expected an angle (rad), found a length (m)";
     item column_of_unlike: "output b = table(crank.angle, [(0deg, 0mm), (90deg, «5deg»)]);" => "expected a length (m), found an angle (rad)";
     item gear_of_radius_and_teeth: "joint a = «gear_pair»(crank, ram, 20mm, 10deg);" => "in `gear_pair`: cannot add a quantity in rad² to a quantity in m·rad\nnote: here `a` is a length (m), `b` is an angle (rad), `c` is a pure number";
-    item body_for_a_point: "joint a = revolute(ground.O, «crank»);" => "`Q` of `revolute` takes a point, found a body\nhelp: write `crank.A`";
+    item body_for_a_point: "joint a = revolute(ground.O, «crank»);" => "`Q` of `revolute` takes a point, found a body\nhelp: write `crank.A`, or `crank.position` for its origin";
     item point_for_a_body: "drive a = drive_angle(«crank.A», speed * t);" => "`b` of `drive_angle` takes a body, found a point\nhelp: write `crank`";
     item number_for_a_point: "joint a = revolute(ground.O, «5mm»);" => "`Q` of `revolute` takes a point, found a number\nhelp: write `(x, y)` for a place in ground, `body.P` for a point of a body";
     item point_for_an_axis: "joint a = translational(«ground.O», ground.C, ram.B);" => "`u` of `translational` takes an axis, found a point\nhelp: write `ground.u`";

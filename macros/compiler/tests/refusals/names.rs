@@ -29,6 +29,7 @@ crate::refusals! {
     item distance_as_a_function: "output far = «distance»(crank.A, ground.position);" => "`distance` is a constraint, not a function\nhelp: the distance of two points is `norm(Q - P)`";
     item angle_as_a_function: "output turned = «angle»(crank);" => "no function is called `angle`\nhelp: the angle of a body is `body.angle`, that of a vector `direction(v)`";
     item output_that_would_hide_derivatives: "output «derivatives» = crank.x;" => "an output cannot be called `derivatives`: a generated function has that name\nhelp: choose another name, such as `derivatives_value`";
+    item direction_of_angles_of_a_vector: "let way = (0, 1) «from» (1, 0);" => "expected `;`, found `from`\nhelp: `from` belongs to an `axis` of a body or of ground, or to a `freedom`";
     item unit_of_elsewhere: "body b { inertia = «3000kgmm2»; }" => "no unit is called `kgmm2`\nhelp: `1kgmm2` is `0.000001kgm2`";
     item unit_with_another_prefix: "param a: Torque = «5kNm»;" => "no unit is called `kNm`\nhelp: `1kNm` is `1000Nm`";
     item unit_of_volume: "param a: Length = «5mm3» / 1mm2;" => "no unit is called `mm3`\nhelp: `1mm3` is `1mm2 * 1mm`";

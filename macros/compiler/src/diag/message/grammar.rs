@@ -35,7 +35,11 @@ impl Display for GrammarFact {
         match self {
             GrammarFact::Syntax { message } => write!(f, "{message}"),
             GrammarFact::Expected { what: "`;`", found } => {
-                write!(f, "expected `;`, found {found}\nhelp: end what stands before it with `;`")
+                write!(f, "expected `;`, found {found}\nhelp: ")?;
+                match found.as_str() {
+                    "`from`" => write!(f, "`from` belongs to an `axis` of a body or of ground, or to a `freedom`"),
+                    _ => write!(f, "end what stands before it with `;`"),
+                }
             }
             GrammarFact::Expected { what: what @ "an expression", found } if found == "`box`" => {
                 write!(f, "expected {what}, found {found}, a word of Rust\nhelp: the shape is `block(a, b, c)`, in the plane `block(a, b)`")

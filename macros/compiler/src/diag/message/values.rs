@@ -2,7 +2,7 @@
 
 use super::significant;
 use super::words::shortened;
-use crate::diag::{Kind, ValueFact, quantity, remedy};
+use crate::diag::{Kind, ValueFact, Wanted, quantity, remedy};
 use crate::quantity::{Ambient, Dim};
 use std::f64::consts::TAU;
 use std::fmt::{Display, Formatter, Result};
@@ -16,7 +16,15 @@ impl Display for ValueFact {
             ValueFact::WrongArgument { parameter, definition, wanted, found, ambient, instead } => {
                 write!(f, "`{parameter}` of `{definition}` takes {wanted}, found {found}")?;
                 match (instead, remedy::about_an_axis(definition, found)) {
-                    (Some(instead), _) => write!(f, "\nhelp: write `{instead}`"),
+                    (Some(instead), _) => {
+                        write!(f, "\nhelp: write `{instead}`")?;
+                        match instead.rsplit_once('.') {
+                            Some((body, point)) if *found == Kind::Body && *wanted == Wanted::Point && point != "position" => {
+                                write!(f, ", or `{body}.position` for its origin")
+                            }
+                            _ => Ok(()),
+                        }
+                    }
                     (None, Some(turning)) => write!(f, "\nhelp: `{turning}` acts between axes, about them"),
                     (None, None) => write!(f, "{}", remedy::of_kind(wanted, found, *ambient)),
                 }
@@ -251,8 +259,11 @@ impl Display for ValueFact {
             ValueFact::NegativeMass { what, body, value, dim } => {
                 write!(f, "the {what} of `{body}` is {}, and cannot be negative\nhelp: write a positive number", quantity(*value, *dim))
             }
-            ValueFact::ImpossibleInertia { body } => {
+            ValueFact::ImpossibleInertia { body, by_products } => {
                 write!(f, "no body has the inertia of `{body}`: about perpendicular axes, none is greater than the sum of the two others")?;
+                if *by_products {
+                    write!(f, "\nnote: its moments about the axes of the body would do, but not its principal moments")?;
+                }
                 write!(f, "\nhelp: write I_xx, I_yy, I_zz about the centre of mass, and if they are not zero I_xy, I_xz, I_yz after them")
             }
             ValueFact::ShapeWithoutMass { name } => {
