@@ -350,3 +350,55 @@ fn a_kink_of_a_force_leaves_derivatives_their_digits() {
         assert!((found_by_stiffness / by_stiffness - 1.0).abs() < most, "{tolerance}: {found_by_stiffness} for {by_stiffness}");
     }
 }
+
+mechanism! {
+    /// A pendulum whose motion does not depend on its mass.
+    pub(crate) mechanism Massive {
+        param heavy: Mass = 1.3kg;
+        param released: Angle = 40deg;
+        param springy: Stiffness = 0N_m;
+        gravity = (0, -9.81m_s2);
+        body bob { mass = heavy;  center = (0.4m, 0m);  inertia = heavy * 0.02m^2; }
+        joint pivot = revolute(ground.position, bob.position);
+        force pull = spring((0m, 1m), bob.position, stiffness: springy, rest: 0.5m);
+        freedom swing = bob.angle from released;
+    }
+}
+
+#[test]
+fn a_derivative_that_cancels_does_not_shorten_steps() {
+    for tolerance in [1e-6, 1e-9, 1e-12] {
+        let mut alone = Integrator::new(tolerance);
+        let plain = Massive::default();
+        let mut state = plain.initial_state().expect("a state");
+        plain.advance(&mut state, 2.0, &mut alone).expect("the motion goes on");
+        let varied = plain.with_derivatives(|massive| [&mut massive.heavy, &mut massive.springy, &mut massive.released]);
+        let (mut state, mut integrator) = (varied.initial_state().expect("a state"), Integrator::new(tolerance.into()));
+        varied.advance(&mut state, 2.0.into(), &mut integrator).expect("the motion goes on");
+        let [by_mass, by_spring, by_release] = state.bob().angle.by;
+        assert!(by_mass.abs() < 1e-10 && by_spring.abs() < 1e-10 && by_release.abs() > 0.1, "{by_mass} {by_spring} {by_release}");
+        let (steps, tried) = (alone.accepted + alone.rejected, integrator.accepted + integrator.rejected);
+        assert!(tried <= 2 * steps, "{tolerance}: {tried} steps for {steps}");
+    }
+}
+
+mechanism! {
+    /// A slide that runs against a ball.
+    pub(crate) mechanism Hertzian {
+        param speed: Velocity = 1m_s;
+        body slide { mass = 1kg; }
+        joint rail = translational((1, 0), (0m, 0m), slide.position);
+        force contact = { at slide.position: (-1000N * (max(slide.x, 0m) / 1m) ^ 2.5, 0N); }
+        freedom stroke = slide.x from -100mm at speed;
+    }
+}
+
+#[test]
+fn a_power_that_rests_at_zero_has_derivatives() {
+    let varied = Hertzian::default().with_derivatives(|hertzian| [&mut hertzian.speed]);
+    let mut state = varied.initial_state().expect("a state");
+    varied.advance(&mut state, 0.05.into(), &mut Integrator::new(1e-9.into())).expect("the motion goes on");
+    // x = v t − 0.1 m before the contact
+    let [by_speed] = state.slide().position.x.by;
+    assert!((by_speed - 0.05).abs() < 1e-14, "{by_speed}");
+}

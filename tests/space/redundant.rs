@@ -39,7 +39,7 @@ fn a_redundant_hinge_whose_axis_is_askew_in_its_bodies_holds_to_rounding() {
 }
 
 mechanism! {
-    /// A slide on two guides, whose second axis is the first one's to the last digit but one.
+    /// A slide on two guides, of which the second axis differs from the first in the last digit.
     pub(crate) mechanism Guided in space {
         ground { axis u = (0.6, 0.8, 0) from (0, 0, 1);  axis v = (0.6, 0.8, 0) from (0, 0, 1); }
         body slide {

@@ -1,11 +1,12 @@
 //! Items that shorten generated code: names for vectors, constructors for tables of one line per entry, and checks of parameters.
 
+use core::cell::Cell;
 use core::ops::{Bound, RangeBounds};
 
 use nalgebra::{SMatrix, SVector};
 
 use crate::names::{Coordinate, CoordinateKind, Operations, ParameterOutOfRange, Row};
-use crate::number::Real;
+use crate::number::{Real, Scalar};
 use crate::solve::Family;
 
 /// A column of `N` numbers.
@@ -54,6 +55,19 @@ impl Operations {
 #[doc(hidden)]
 pub fn between<T: Real, M: Family<T, Over<T> = M> + PartialEq>(defaults: &M, mechanism: &M, lambda: T) -> Option<M> {
     (mechanism != defaults).then(|| M::gather([defaults, mechanism], |[from, to]| from + lambda * (to - from)))
+}
+
+/// Magnitude of the parameter by which the derivatives with this number are taken; 1 if it is 0.
+#[doc(hidden)]
+pub fn parameter_size<T: Scalar, M: Family<T, Over<T> = M>>(mechanism: &M, number: usize) -> T {
+    let size = Cell::new(T::ZERO);
+    M::gather([mechanism], |[parameter]| {
+        if parameter.derivative(number).is_some_and(|by| by != T::ZERO) {
+            size.set(size.get().max(parameter.without_derivatives().abs()));
+        }
+        parameter
+    });
+    if size.get() > T::ZERO { size.get() } else { T::of(1.0) }
 }
 
 /// A parameter by name, value and unit.

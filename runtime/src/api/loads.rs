@@ -138,7 +138,7 @@ const DEPENDENT: f64 = 1e-11;
 impl<T: Scalar, const M: usize, const A: usize> Loads<T, M, A> {
     /// The multipliers of Φ_uᵀ λ = −f, and the loads that follow from them.
     ///
-    /// * `jacobian`: given, Φ_u; lost.
+    /// * `jacobian`: given, Φ_u; overwritten.
     /// * `unbalanced`: given, f = M u̇ − Q.
     /// * `actions`: given, computes the loads of joints and drives from λ.
     #[doc(hidden)]

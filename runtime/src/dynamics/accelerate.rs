@@ -60,17 +60,14 @@ where
     let at_rest = times(mass, &parts.unknowns(&[T::ZERO; I]));
     let side = moved(&forces.data.0[0], T::of(1.0), &at_rest);
     let mut right = [T::ZERO; I];
-    // Nᵀ M N takes the place of the entries of M between independent speeds. From the last speed on, each is read before it is written.
-    for k in (0..I).rev() {
-        if k >= count {
-            continue;
-        }
+    // Nᵀ M N takes the place of the entries of M between independent speeds, which only zeros multiply once they are replaced.
+    for (k, right) in right.iter_mut().enumerate().take(count) {
         let motion = parts.unit(k);
         let momentum = times(mass, &motion);
         for j in 0..=k {
             set(mass, [parts.independent_at(k), parts.independent_at(j)], dot(&momentum, &parts.unit(j)));
         }
-        right[k] = -dot(&side, &motion);
+        *right = -dot(&side, &motion);
     }
     let order: [usize; I] = core::array::from_fn(|place| parts.independent_at(place));
     solve(mass, &order, &mut right, count).map_err(|k| {

@@ -39,7 +39,12 @@ pub trait Dynamics<T: Scalar, const N: usize, const I: usize, const M: usize, co
         None
     }
 
-    /// Φ, J and ν, written into zeros or into those of another state: entries of J that are always zero stay as they are.
+    /// Magnitude of the parameter by which the derivatives with this number are taken; 1 if it is 0.
+    fn parameter_size(&self, _number: usize) -> T {
+        T::of(1.0)
+    }
+
+    /// Φ, J and ν. `found` holds zeros or the equations at another state: entries of J that are always zero are not written.
     fn constraints(&self, q: &SVector<T, N>, t: T, found: &mut Constraints<T, M, I>);
 
     /// The same for all equations that hold at t = 0.

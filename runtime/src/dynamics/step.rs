@@ -118,11 +118,15 @@ const SLOW: f64 = 1e-3;
 /// Errors of steps add up: each may have this fraction of the tolerance.
 const EACH: f64 = 0.02;
 
-/// Times ε: a step of this part of the time is not shortened for the sake of derivatives.
+/// Times ε: steps shorter than this part of the time are not shortened further for the sake of derivatives.
 const SHORT: f64 = 1e4;
 
 /// Derivatives may have errors larger by this factor.
 const LOOSER: f64 = 10.0;
+
+/// Times ε: errors that derivatives may have by rounding, of values divided by the parameter. A derivative that cancels to zero is not
+/// compared with itself.
+const CANCELLED: f64 = 1e3;
 
 /// Estimated error of a step, relative to the tolerance, and the largest speed so far.
 pub(super) fn error<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
@@ -150,10 +154,11 @@ where
             (first, second) = (first + one * one, second + two * two);
         }
     }
-    (combined::<T, I>(first, second).max(error_of_derivatives(mechanism, state, trial, h, tolerance)), fastest)
+    let of_derivatives = error_of_derivatives(mechanism, state, trial, h, (tolerance, fastest));
+    (combined::<T, I>(first, second).max(of_derivatives), fastest)
 }
 
-/// Estimated error of a step in the derivatives by parameters, relative to the largest ones and to the tolerance.
+/// Estimated error of a step in the derivatives by parameters, relative to the tolerance and to the largest of them.
 ///
 /// Where a force has a kink, values stay smooth enough for long steps, and their derivatives do not.
 #[inline(always)]
@@ -162,7 +167,7 @@ fn error_of_derivatives<T, S, const N: usize, const I: usize, const M: usize, co
     state: &State<T, N>,
     trial: &Trial<T, N, I>,
     h: T,
-    tolerance: T,
+    (tolerance, fastest): (T, T),
 ) -> T
 where
     T: Scalar,
@@ -174,6 +179,8 @@ where
     }
     let (lengths, allowed) = (lengths(mechanism), T::of(LOOSER * EACH) * tolerance);
     let vectors = [&state.q, &trial.end[0], &state.qd, &trial.end[1]].map(|vector| picked(vector, &S::INTEGRATED));
+    let [q, q_there, ..] = vectors.map(|values| largest(&values, &lengths).without_derivatives());
+    let farthest = q.max(q_there).max(T::of(1.0));
     for parameter in 0.. {
         if T::ZERO.derivative(parameter).is_none() {
             break;
@@ -181,7 +188,9 @@ where
         let by = |number: T| number.derivative(parameter).unwrap_or(T::ZERO);
         let [q, q_there, u, u_there] = vectors.map(|values| largest(&values.map(by), &lengths));
         let u = u.max(u_there);
-        let scales = [q.max(q_there).max(u * h.abs()), u];
+        let rounded = T::of(CANCELLED) * T::EPSILON / (allowed * mechanism.parameter_size(parameter));
+        let [at, moving] = [farthest, fastest.without_derivatives()].map(|value| rounded * value);
+        let scales = [q.max(q_there).max(u * h.abs()).max(at), u.max(moving)];
         let (mut first, mut second) = (T::ZERO, T::ZERO);
         for (errors, scale) in trial.errors.iter().zip(scales).filter(|(_, scale)| *scale > T::ZERO) {
             for (errors, length) in errors.iter().zip(&lengths) {

@@ -27,7 +27,7 @@ pub trait Scalar: SimdReal<Mask = bool, Signs = DetSign> + PartialOrd {
     #[must_use]
     fn without_derivatives(self) -> Self;
 
-    /// Its derivative by the parameter of this number, as a number that depends on none; `None` if there are not so many.
+    /// Its derivative by the parameter of this number, as a number that depends on none; `None` if there is no such parameter.
     #[must_use]
     fn derivative(self, parameter: usize) -> Option<Self>;
 }

@@ -18,6 +18,13 @@ impl Emitter<'_> {
         let name = &self.model.name;
         let [n, i, m, r] = self.sizes_of(code).map(number);
         let (functions, constants) = (self.functions_of_motion(code), self.constants_of_motion(code));
+        let size = (!self.model.parameters.is_empty()).then(|| {
+            quote!(
+                fn parameter_size(&self, number: ::core::primitive::usize) -> T {
+                    ::reuleaux::parameter_size(self, number)
+                }
+            )
+        });
         let (methods, hash, toward, allowed) = (self.methods_of_motion(), self.parameter_hash(), self.toward(), allowed());
         quote! {
             #allowed
@@ -25,6 +32,7 @@ impl Emitter<'_> {
                 #constants
                 #functions
                 #toward
+                #size
                 fn parameter_hash(&self) -> ::core::primitive::u64 { #hash }
             }
             #allowed

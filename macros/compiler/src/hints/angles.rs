@@ -87,14 +87,15 @@ fn names_angle(value: &Expression) -> bool {
 }
 
 fn of_angle(of: AngleOf, value: &Expression, found: &mut Vec<Warning>) {
-    let of = if matches!(value.kind, ExpressionKind::Binary(..)) { AngleOf::Part } else { of };
+    let of = if is_number(value) { of } else { AngleOf::Part };
     found.extend(degrees(value).map(|(number, range)| Warning { doubt: Doubt::BareAngle { of, number }, range }));
 }
 
 /// A bare number of more than a turn in radians, as written: it is rather one of degrees. Also where it is a term, or an amplitude of a sine.
 fn degrees(argument: &Expression) -> Option<(String, Range)> {
     match &argument.kind {
-        ExpressionKind::Negative(inner) => degrees(inner).map(|(number, _)| (format!("-{number}"), argument.range)),
+        ExpressionKind::Negative(inner) if is_number(inner) => degrees(inner).map(|(number, _)| (format!("-{number}"), argument.range)),
+        ExpressionKind::Negative(inner) => degrees(inner),
         ExpressionKind::Number { digits, unit } if unit.is_empty() => {
             let is_large = digits.parse::<f64>().is_ok_and(|value| value > std::f64::consts::TAU);
             is_large.then(|| (digits.clone(), argument.range))
@@ -109,8 +110,12 @@ fn degrees(argument: &Expression) -> Option<(String, Range)> {
     }
 }
 
+/// True for a literal with or without a sign.
 fn is_number(value: &Expression) -> bool {
-    matches!(value.kind, ExpressionKind::Number { .. })
+    match &value.kind {
+        ExpressionKind::Negative(inner) => is_number(inner),
+        kind => matches!(kind, ExpressionKind::Number { .. }),
+    }
 }
 
 /// True for a sine or cosine.

@@ -1,6 +1,6 @@
 //! One function for all stages of the same shape.
 //!
-//! In: the stages of a mechanism in runs. Out: [`Kernels`]: for each shape, its lines over local unknowns; for each stage, its shape and, in
+//! In: the stages of a mechanism, in runs. Out: [`Kernels`]: for each shape, its lines over local unknowns; for each run, its shape and, in
 //! columns, its unknowns. Stages exchange values in arrays: q, q̇, q̈, and the sine and cosine of angles used by more than one stage. Not
 //! done here: printing.
 

@@ -40,7 +40,7 @@ enum RunOwner {
     Output,
 }
 
-/// Before blocks and their followers share operations, their shapes have at most this many times as many of them.
+/// Joining is considered only if the joined shapes, before they share operations, have at most this many times those of the separate ones.
 const LARGER: usize = 2;
 
 impl<'a> Runs<'a> {
@@ -65,8 +65,8 @@ impl<'a> Runs<'a> {
         size(&self.shapes)
     }
 
-    /// Each block with the unknowns that follow from it, so that they share operations: a loop of a chain is one call. Where that adds more
-    /// operations to the code than it saves in a step, since such runs have more shapes, they stay as they are.
+    /// Each block with the unknowns that follow from it, so that they share operations: a loop of a chain is one call. They stay
+    /// separate where joining would add more operations to the code than it saves in a step.
     pub(super) fn joined(self, frame: &PlanContext) -> Runs<'a> {
         let groups = self.followers();
         let own = |run: &usize| self.shapes[self.order[*run]].arena.len();
@@ -83,7 +83,7 @@ impl<'a> Runs<'a> {
         if costs(&shapes, &order) > costs(&self.shapes, &self.order) { self } else { Runs { runs, shapes, order, ..self } }
     }
 
-    /// Runs to join, in order: each with the last block that it depends on; those that depend on none come first, and alone.
+    /// Runs to join, in order: each with the last block that it depends on; those that depend on no block come first, each alone.
     fn followers(&self) -> Vec<Vec<usize>> {
         let mut pieces = vec![0; self.shapes.len()];
         let (mut first, mut groups): (Vec<Vec<usize>>, Vec<Vec<usize>>) = (Vec::new(), Vec::new());

@@ -88,7 +88,7 @@ impl StageBuilder<'_> {
     /// A checked equation; `None` if it holds for all parameters.
     fn check(&mut self, equation: usize) -> Option<Stage> {
         let residual = self.constants.of(self.arena, self.system.equations[equation].phi()?);
-        // A number that nothing changes is known to be a rounding error.
+        // A constant as small as this is a rounding error.
         if self.arena.value(residual).is_some_and(|value| value.abs() <= ROUNDED) {
             return None;
         }

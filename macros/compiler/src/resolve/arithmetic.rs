@@ -223,12 +223,12 @@ impl Elaborator<'_> {
     }
 
     /// Extends a fractional power above the second to the base 0. There it vanishes with its first two derivatives, but its formula
-    /// with roots or logarithms is singular. Below 0 neither it nor any of its derivatives has a value.
+    /// with roots or logarithms is singular. Below 0 neither it nor its first three derivatives have a value: acos −2 is none.
     fn with_zero(&mut self, base: Expr, power: Expr) -> Expr {
-        let (zero, sign) = (self.arena.integer(0), self.arena.unary(Unary::Sign, base));
-        // The root is 0 or NaN.
-        let (root, cube) = (self.arena.sqrt(sign), self.arena.power(base, 3));
-        let otherwise = self.arena.mul(cube, root);
+        let (zero, sign, cube) = (self.arena.integer(0), self.arena.unary(Unary::Sign, base), self.arena.power(base, 3));
+        let twice = self.arena.add(sign, sign);
+        let angle = self.arena.unary(Unary::Acos, twice);
+        let otherwise = self.arena.mul(cube, angle);
         self.arena.select(zero, base, power, otherwise)
     }
 

@@ -196,7 +196,7 @@ fn drives_that_stand_still_at_a_bare_number_are_doubted() {
         assert_eq!(doubts(plane(sure)), [""; 0], "{sure}");
     }
     let as_a_part = "`90` has no unit: it is 90 rad\nhelp: write `90deg`, or `90rad` if it is meant";
-    for law in ["60rpm * t + 90", "0.5rad - 90", "90 * sin(60rpm * t)", "6 - cos(60rpm * t) * 90"] {
+    for law in ["60rpm * t + 90", "0.5rad - 90", "90 * sin(60rpm * t)", "6 - cos(60rpm * t) * 90", "-(60rpm * t + 90)"] {
         assert_eq!(doubts(plane(law)), [as_a_part], "{law}");
     }
 }

@@ -50,8 +50,8 @@ pub trait Differentiable<T: Float>: Family<T> {
     ///
     /// Where a motion follows from forces, everything computed with it has derivatives too: the initial state, accelerations, loads, energies and
     /// the motion itself, with its outputs. Times are constants, `20.0.into()`. The tolerance of an integrator is that of the values;
-    /// derivatives are mostly a digit or two less accurate. Steps are shortened where a force has a kink, which derivatives feel sooner than
-    /// values. Where a force jumps, `if t < off { push } else { 0N }`, derivatives do not know that the instant of the jump moves.
+    /// derivatives are mostly a digit or two less accurate. Steps are shortened where their errors are larger than that, as where a force has a
+    /// kink. Where a force jumps, `if t < off { push } else { 0N }`, derivatives do not know that the instant of the jump moves.
     ///
     /// ```
     /// use reuleaux::{Differentiable, Integrator, mechanism};
