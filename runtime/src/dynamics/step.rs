@@ -174,7 +174,8 @@ where
     S: Dynamics<T, N, I, M, R>,
 {
     let mut worst = T::ZERO;
-    if h.abs() <= T::of(SHORT) * T::EPSILON * (state.t.abs() + h.abs()) {
+    // Plain numbers have none.
+    if T::ZERO.derivative(0).is_none() || h.abs() <= T::of(SHORT) * T::EPSILON * (state.t.abs() + h.abs()) {
         return worst;
     }
     let (lengths, allowed) = (lengths(mechanism), T::of(LOOSER * EACH) * tolerance);
