@@ -63,6 +63,55 @@ fn an_event_beside_a_look_is_found() {
 }
 
 mechanism! {
+    /// A ball falls from 1 m and moves sideways.
+    pub(crate) mechanism Bouncing {
+        gravity = (0, -9.81m_s2);
+        body ball { mass = 1kg;  inertia = 0.01kgm2;  start position = (0m, 1m); }
+        freedom across = ball.x at 0.3m_s;
+        freedom height = ball.y from 1m;
+        freedom turn = ball.angle;
+    }
+}
+
+/// Instants at which a ball that keeps nine tenths of its speed hits the floor at `level`: √(2 h / g), then 2 v / g more each time.
+#[test]
+fn a_ball_that_rebounds_leaves_the_floor() {
+    for level in [0.0, -1e-3, 0.1, -10.0] {
+        for tolerance in [1e-6, 1e-10] {
+            let mechanism = Bouncing::default();
+            let mut state = mechanism.initial_state().expect("a state");
+            let mut integrator = Integrator::new(tolerance);
+            let mut wanted = (2.0 * (1.0 - level) / 9.81_f64).sqrt();
+            let mut speed = 9.81 * wanted;
+            for _ in 0..40 {
+                let hit = mechanism.advance_until(&mut state, 60.0, &mut integrator, |state| state.ball().position.y - level);
+                assert!(hit.expect("a motion"), "no floor at {level}");
+                assert!((state.t - wanted).abs() < 1e-11 * wanted.max(1.0), "{level}: {} for {wanted}", state.t);
+                state.0.qd[1] *= -0.9;
+                mechanism.accelerate(&mut state).expect("accelerations");
+                speed *= 0.9;
+                wanted += 2.0 * speed / 9.81;
+            }
+        }
+    }
+}
+
+/// Where a motion begins just above the floor it is stopped there, as soon as that can be told from rounding.
+#[test]
+fn an_event_just_after_the_beginning_is_found() {
+    let mechanism = Bouncing::default();
+    let start = mechanism.initial_state().expect("a state");
+    for above in [1e-3, 1e-6, 1e-9, 1e-12] {
+        let mut state = start.clone();
+        let level = 1.0 - above;
+        let hit = mechanism.advance_until(&mut state, 1.0, &mut Integrator::new(1e-10), |state| state.ball().position.y - level);
+        assert!(hit.expect("a motion"), "{above:e}");
+        let wanted = (2.0 * (1.0 - level) / 9.81_f64).sqrt();
+        assert!((state.t - wanted).abs() < 1e-15 / wanted, "{above:e}: {} for {wanted}", state.t);
+    }
+}
+
+mechanism! {
     /// A drive turns the arm to where coupler and rocker are in line; two pendulums hang on them.
     #[closure(allow)]
     pub(crate) mechanism Locking {

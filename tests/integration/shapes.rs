@@ -289,7 +289,7 @@ fn a_slice_says_what_it_holds() {
         E::COORDINATES.iter().map(|coordinate| format!("{}.{}", coordinate.body, coordinate.name)).collect()
     }
     let truss = Truss::default();
-    assert_eq!(names(&truss.solve_for_tip()), ["coupler.angle", "rocker.angle", "tip.component 1", "tip.component 2"]);
+    assert_eq!(names(&truss.solve_for_tip()), ["coupler.angle", "rocker.angle", "tip.x", "tip.y"]);
     assert_eq!(<TrussForTip as Description<f64, 4>>::NAME, "Truss");
     let alone = Mechanism::solve(&truss.solve_for_tip(), 0.0).unwrap();
     let whole = truss.solve(0.0).unwrap();

@@ -34,9 +34,11 @@ use core::fmt::{self, Debug, Display, Formatter};
 use core::ops::Deref;
 use std::io::{self, Write};
 
-use super::outputs::{OutputName, OutputNames, Outputs};
+use super::outputs::{Output, OutputName, OutputNames, Outputs};
+use super::slice::{Slice, SliceState, Sliced};
 use crate::names::{Coordinate, CoordinateKind, Description};
 use crate::number::Float;
+use crate::solve::SolverReal;
 use crate::state::{Motion, MotionWithJerk, State};
 
 /// Why a table ends before the last state. `{:?}` is the sentence, as `{}` is.
@@ -68,7 +70,7 @@ where
 {
     let names = |table: &mut Table<W>| {
         coordinate_names(table, M::COORDINATES)?;
-        output_names(table, &M::OUTPUTS, M::COORDINATES)
+        output_names(table, &M::OUTPUTS.0, M::COORDINATES)
     };
     let numbers = |table: &mut Table<W>, state: &M::State| {
         coordinates(table, state, M::COORDINATES)?;
@@ -91,11 +93,11 @@ where
     M: Outputs<T, N, K>,
     T: Float,
 {
-    let names = |table: &mut Table<W>| output_names(table, &M::OUTPUTS, &[]);
+    let names = |table: &mut Table<W>| output_names(table, &M::OUTPUTS.0, &[]);
     tabulate(to, states, names, |table, state| outputs(table, &M::OUTPUTS, mechanism.outputs_with_jerk(state)))
 }
 
-/// Writes a motion as [`write`](self::write()) does, without the outputs: for any mechanism.
+/// Writes a motion as [`write`](self::write()) does, without the outputs: for any mechanism. Slices have [`write_slice`].
 ///
 /// # Errors
 /// The failure with which the motion ends, or that of `to`.
@@ -112,6 +114,50 @@ where
 {
     let names = |table: &mut Table<W>| coordinate_names(table, M::COORDINATES);
     tabulate(to, states, names, |table, state: &S| coordinates(table, state, M::COORDINATES))
+}
+
+/// Writes the output of a slice: time, and each component with its rate, its acceleration and its jerk, as far as the output has them.
+///
+/// ```
+/// # use reuleaux::{csv, mechanism};
+/// # mechanism! {
+/// #     mechanism Crank {
+/// #         body crank { point A = (0.5m, 0m); }
+/// #         joint pivot = revolute(ground.position, crank.position);
+/// #         drive motor = drive_angle(crank, 2rad_s * t);
+/// #         slice output pin = crank.A;
+/// #     }
+/// # }
+/// let pin = Crank::default().solve_for_pin();
+/// let mut table = Vec::new();
+/// csv::write_slice(&mut table, &pin, pin.sweep([0.0, 0.1]))?;
+/// assert!(table.starts_with(b"t (s),pin.x (m),pin.x rate (m/s),"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// The failure with which the motion ends, or that of `to`.
+pub fn write_slice<W, M, T, E, const OUTPUT: usize, const N: usize, const WHOLE: usize>(
+    to: W,
+    _slice: &Slice<M, T, OUTPUT, N, WHOLE>,
+    states: impl IntoIterator<Item = Result<SliceState<M, T, OUTPUT, N, WHOLE>, E>>,
+) -> Result<(), Unwritten<E>>
+where
+    W: Write,
+    M: Sliced<T, OUTPUT, N, WHOLE>,
+    T: SolverReal + Float,
+{
+    let names = |table: &mut Table<W>| output_names(table, M::OUTPUTS, &[]);
+    let numbers = |table: &mut Table<W>, state: &SliceState<M, T, OUTPUT, N, WHOLE>| {
+        let (mut components, mut written) = (M::OUTPUTS.iter(), Ok(()));
+        state.output().each(&mut |component| {
+            if let (Some(name), Ok(())) = (components.next(), &written) {
+                written = output(table, name, component);
+            }
+        });
+        written
+    };
+    tabulate(to, states, names, numbers)
 }
 
 /// Writes a table: a line of names, and a line of numbers for each state.
@@ -231,8 +277,8 @@ fn coordinates<W: Write, T: Float, const N: usize>(
 }
 
 /// * `beside`: given, the coordinates in the same table.
-fn output_names<W: Write, const K: usize>(table: &mut Table<W>, names: &OutputNames<K>, beside: &[Coordinate]) -> io::Result<()> {
-    for output in &names.0 {
+fn output_names<W: Write>(table: &mut Table<W>, names: &[OutputName], beside: &[Coordinate]) -> io::Result<()> {
+    for output in names {
         let OutputName { name, units } = output;
         let is_called = |own: &Coordinate| name.strip_prefix(own.body).and_then(|rest| rest.strip_prefix('.')) == Some(own.name);
         let word = if beside.iter().any(is_called) { "output " } else { "" };
@@ -248,10 +294,12 @@ fn outputs<W: Write, T: Float, const K: usize>(
     names: &OutputNames<K>,
     outputs: [MotionWithJerk<T>; K],
 ) -> io::Result<()> {
-    for (name, MotionWithJerk { value, rate, acceleration, jerk }) in names.0.iter().zip(outputs) {
-        [value, rate, acceleration, jerk].into_iter().take(columns(name)).try_for_each(|number| table.number(number))?;
-    }
-    Ok(())
+    names.0.iter().zip(outputs).try_for_each(|(name, component)| output(table, name, component))
+}
+
+fn output<W: Write, T: Float>(table: &mut Table<W>, name: &OutputName, component: MotionWithJerk<T>) -> io::Result<()> {
+    let MotionWithJerk { value, rate, acceleration, jerk } = component;
+    [value, rate, acceleration, jerk].into_iter().take(columns(name)).try_for_each(|number| table.number(number))
 }
 
 /// Number of columns of a component.

@@ -8,7 +8,7 @@ use core::ops::{Deref, DerefMut};
 
 use nalgebra::SVector;
 
-use super::{Mechanism, sweep};
+use super::{Mechanism, Output, OutputName, sweep};
 use crate::explain::Failure;
 use crate::names::{Coordinate, CoordinateKind, Description, ParameterOutOfRange, Plan, Row};
 use crate::newton::StepError;
@@ -26,8 +26,8 @@ use crate::state::{Coordinates, State, Values};
     note = "an output is solved alone where it is declared as `slice output name = …;`"
 )]
 pub trait Sliced<T: SolverReal, const OUTPUT: usize, const N: usize, const WHOLE: usize>: Stages<T, WHOLE> + Copy {
-    /// The output with its first and second derivative in time.
-    type Value;
+    /// The output with its derivatives in time.
+    type Value: Output<T>;
 
     /// Plan of the solution: computed coordinates, coordinates iterated together, and their order.
     const PLAN: Plan;
@@ -35,7 +35,10 @@ pub trait Sliced<T: SolverReal, const OUTPUT: usize, const N: usize, const WHOLE
     /// Entries of a state by their indices in q; the components of the output have indices from `WHOLE` on.
     const HELD: [usize; N];
 
-    /// The components of the output.
+    /// Names and units of the components of the output.
+    const OUTPUTS: &'static [OutputName];
+
+    /// The entries of a state that hold the output.
     const COMPONENTS: &'static [Coordinate];
 
     /// [`Stages::COMPUTED_ANGLES`] of the slice.

@@ -1,5 +1,7 @@
 //! Instants at which an event changes its sign.
 
+use nalgebra::SVector;
+
 use super::equations::Dynamics;
 use super::looks::{LOOKS, Looks, changes};
 use super::method::Method;
@@ -9,6 +11,9 @@ use super::step::land;
 use super::stopped::Stopped;
 use crate::number::Scalar;
 use crate::state::State;
+
+/// An event no larger than so many roundings where a state begins is zero there.
+const ROUNDED: f64 = 64.0;
 
 /// Most steps of the search for an instant.
 const SEARCH: usize = 200;
@@ -26,11 +31,11 @@ const DERIVATIVES: usize = 2;
 ///
 /// Interpolated states show roughly where that is. States at the ends of steps decide, since near the instant the two may differ in sign.
 ///
+/// * `is_first`: given, true if no step came before.
 /// * `tolerance`: given, that of steps, as for [`land`].
 pub(super) fn first_event<K: Method, T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
-    from: &State<T, N>,
-    to: &State<T, N>,
+    (from, to, is_first): (&State<T, N>, &State<T, N>, bool),
     event: &impl Fn(&State<T, N>) -> T,
     tolerance: (T, T),
 ) -> Result<Option<State<T, N>>, Stopped<T>>
@@ -39,18 +44,19 @@ where
     S: Dynamics<T, N, I, M, R>,
 {
     let whole = to.t - from.t;
+    let look = |part| event(&between(mechanism, from, to, part));
+    let first = if is_first { at_beginning([from, to], event(from), look, &S::INTEGRATED) } else { event(from) };
     let exactly = |part: T| {
         if part == T::ZERO {
-            return Ok((part, event(from), from.clone()));
+            return Ok((part, first, from.clone()));
         } else if part == T::of(1.0) {
             return Ok((part, event(to), to.clone()));
         }
         let trial = K::trial(mechanism, from, part * whole)?;
         land(mechanism, (from, None), &trial, part * whole, tolerance, &mut Reached::empty()).map(|state| (part, event(&state), state))
     };
-    let look = |part| event(&between(mechanism, from, to, part));
     let mut looks = Looks::new(|number, part| match number {
-        0 => event(from),
+        0 => first,
         LOOKS => event(to),
         _ => look(part),
     });
@@ -87,6 +93,24 @@ where
         low = *high;
     }
     Ok(None)
+}
+
+/// The event in the state with which a motion begins: zero if it is zero but for rounding, as where the same event stopped the motion before.
+/// With the sign of that rounding, a body that rebounds would be stopped again before it has moved.
+fn at_beginning<T: Scalar, const N: usize, const I: usize>(
+    [from, to]: [&State<T, N>; 2],
+    value: T,
+    look: impl Fn(T) -> T,
+    integrated: &[usize; I],
+) -> T {
+    let largest = |vector: &SVector<T, N>| picked(vector, integrated).into_iter().fold(T::ZERO, |largest, entry| largest.max(entry.abs()));
+    let (size, speed) = (largest(&from.q), largest(&from.qd).max(largest(&to.qd)));
+    let part = T::of(1.0 / LOOKS as f64);
+    let next = look(part);
+    // Instants are known to ε t, and coordinates to ε q, which pass in q / speed.
+    let slope = (next - value) / (part * (to.t - from.t));
+    let noise = T::of(ROUNDED) * T::EPSILON * (next.abs() + slope.abs() * (from.t.abs() + size / speed));
+    if value.abs() <= noise { T::ZERO } else { value }
 }
 
 /// A state on the way between two others, by the polynomials of degree five through their positions, speeds and accelerations.

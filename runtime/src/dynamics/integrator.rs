@@ -129,8 +129,8 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
     }
 
     /// Takes a state to the first instant before `t` at which `event` changes its sign, located to rounding, or to `t`. True if there is
-    /// such an instant; an event at the beginning does not count. The event is looked at eight times a step, and more closely
-    /// where it turns back near zero. It has to be smooth on the scale of a step; otherwise `longest` has to be shorter.
+    /// such an instant; an event that is zero at the beginning, to rounding, does not count. The event is looked at eight times a step, and more
+    /// closely where it turns back near zero. It has to be smooth on the scale of a step; otherwise `longest` has to be shorter.
     ///
     /// # Errors
     /// Why the motion stops; the state is the last one reached.
@@ -147,12 +147,13 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
     {
         self.begin(mechanism, state, t)?;
         let mut reached = None;
-        for _ in 0..self.most {
+        for step in 0..self.most {
             if state.t == t {
                 return Ok(false);
             }
             let (next, _) = self.next(mechanism, state, &mut reached, t)?;
-            if let Some(found) = first_event::<K, T, S, N, I, M, R>(mechanism, state, &next, &event, (self.tolerance, self.fastest))? {
+            let (between, tolerance) = ((&*state, &next, step == 0), (self.tolerance, self.fastest));
+            if let Some(found) = first_event::<K, T, S, N, I, M, R>(mechanism, between, &event, tolerance)? {
                 *state = found;
                 return Ok(true);
             }

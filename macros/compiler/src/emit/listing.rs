@@ -15,8 +15,7 @@ impl Emitter<'_> {
         }
         let members = self.model.methods.iter().flat_map(|method| &method.members);
         let components = members.flat_map(|member| docs::components(self.system, &self.model.outputs[*member]));
-        let name = |(name, units): (String, [String; 4])| quote!(::reuleaux::OutputName { name: #name, units: [#(#units),*] });
-        let names: Vec<TokenStream> = components.map(name).collect();
+        let names: Vec<TokenStream> = components.map(output_name).collect();
         let methods: Vec<&Ident> = self.model.methods.iter().map(|method| &method.name).collect();
         let (name, n, count) = (&self.model.name, number(self.system.width()), number(names.len()));
         let (state, allowed) = (state_path(name), allowed());
@@ -36,4 +35,9 @@ impl Emitter<'_> {
             }
         }
     }
+}
+
+/// Name and units of a component of an output.
+pub(super) fn output_name((name, units): (String, [String; 4])) -> TokenStream {
+    quote!(::reuleaux::OutputName { name: #name, units: [#(#units),*] })
 }

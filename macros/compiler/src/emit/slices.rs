@@ -3,6 +3,7 @@
 use super::arrays::{array_at, array_type};
 use super::expression::local;
 use super::functions::Emitter;
+use super::listing::output_name;
 use super::literal::{number, vector_type};
 use super::outputs::in_whole;
 use super::stages::{StateLayout, results, stages_of};
@@ -65,10 +66,15 @@ impl Emitter<'_> {
         let components = if first.derivatives == 3 { 2 * components } else { components };
         let places: Vec<usize> = (0..method.members.len()).map(|member| slice.held.len() - components + width * member).collect();
         let (value, kind) = (array_at(&places, &method.sizes, value), array_type(self.output_type(first), &method.sizes));
-        let components = (1..=components).map(|component| {
-            let component = format!("component {component}");
-            quote!(::reuleaux::Coordinate::length(#word, #component))
+        let outputs: Vec<(String, [String; 4])> =
+            method.members.iter().flat_map(|member| docs::components(self.system, &self.model.outputs[*member])).collect();
+        let components = (0..components).map(|component| {
+            let name = outputs.get(component % outputs.len()).map_or(word.as_str(), |output| output.0.as_str());
+            let (whole, part) = name.rsplit_once('.').unwrap_or((name, "value"));
+            let part = if component < outputs.len() { part.to_owned() } else { format!("{part} rate") };
+            quote!(::reuleaux::Coordinate::length(#whole, #part))
         });
+        let outputs = outputs.iter().cloned().map(output_name);
         let upstream = upstream(&slice.solution.solving, slice.held.len(), &body);
         let [n, whole, order] = [slice.held.len(), self.system.width(), number_of_slice].map(number);
         let held = slice.held.iter().map(|unknown| number(*unknown));
@@ -90,6 +96,7 @@ impl Emitter<'_> {
                 type Value = #kind;
                 #plan
                 const HELD: [::core::primitive::usize; #n] = [#(#held),*];
+                const OUTPUTS: &'static [::reuleaux::OutputName] = &[#(#outputs),*];
                 const COMPONENTS: &'static [::reuleaux::Coordinate] = &[#(#components),*];
                 #lists
                 fn output(state: &::reuleaux::State<T, #n>) -> Self::Value { #value }

@@ -313,13 +313,13 @@ fn motion_from_forces(state: &Ident, body: &TokenStream) -> TokenStream {
             &'a self,
             _: impl ::reuleaux::Times<T> + 'a,
             _: ::reuleaux::Integrator<T, impl ::reuleaux::Method>,
-        ) -> ::std::vec::IntoIter<#first> { #body }
+        ) -> ::core::iter::Empty<#first> { #body }
         pub fn sweep_from<'a>(
             &'a self,
             _: &#state<T>,
             _: impl ::reuleaux::Times<T> + 'a,
             _: ::reuleaux::Integrator<T, impl ::reuleaux::Method>,
-        ) -> ::std::vec::IntoIter<#first> { #body }
+        ) -> ::core::iter::Empty<#first> { #body }
         pub fn step(&self, _: &mut #state<T>, _: T) -> #nothing { #body }
         pub fn energy(&self, _: &#state<T>) -> ::reuleaux::Energy<T> { #body }
     }
