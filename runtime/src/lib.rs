@@ -220,7 +220,7 @@ pub use reuleaux_view as view;
 /// | [`dead_points`](guide::dead_points) | 10 | why a linkage locks, and how to choose its assembly |
 /// | [`loads_and_motion`](guide::loads_and_motion) | 15 | bearing forces, motors, motion that follows from forces |
 /// | [`optimising`](guide::optimising) | 15 | find dimensions, with exact derivatives |
-/// | [`parameter_sets`](guide::parameter_sets) | 10 | many mechanisms of one declaration |
+/// | [`parameter_sets`](guide::parameter_sets) | 15 | many mechanisms of one declaration |
 /// | [`files`](guide::files) | 10 | parameters from a file, motions as a table |
 /// | [`pictures`](guide::pictures) | 10 | drawings, motions that can be played, shapes of bodies |
 /// | [`control_loop`](guide::control_loop) | 10 | measurements and commands as inputs, a thousand times a second |

@@ -259,3 +259,43 @@ fn a_component_has_an_index_by_name() -> Outcome {
     assert!((by - 1.0 / outputs[PIN_Y].value).abs() < 1e-13);
     Ok(())
 }
+
+mechanism! {
+    /// A crank with a pin that is solved for alone.
+    mechanism Alone {
+        body crank { point A = (2m, 0m); }
+        joint pivot = revolute(ground.position, crank.position);
+        drive motor = drive_angle(crank, 1rad_s * t);
+        slice output pin = crank.A with jerk;
+        slice output speed = crank.angular_velocity;
+    }
+}
+
+/// (2 cos t, 2 sin t) and its derivatives.
+#[test]
+fn a_slice_has_a_table() -> Outcome {
+    let (pin, speed) = (Alone::default().solve_for_pin(), Alone::default().solve_for_speed());
+    let (mut of_pin, mut of_speed) = (Vec::new(), Vec::new());
+    csv::write_slice(&mut of_pin, &pin, pin.sweep([0.5]))?;
+    csv::write_slice(&mut of_speed, &speed, speed.sweep([0.5]))?;
+    let (header, rows) = parsed(&of_pin);
+    assert_eq!(header.len(), 9);
+    let (sine, cosine) = 0.5_f64.sin_cos();
+    let wanted = [cosine, -sine, -cosine, sine, sine, cosine, -sine, -cosine];
+    let names = [
+        "x (m)",
+        "x rate (m/s)",
+        "x acceleration (m/s²)",
+        "x jerk (m/s³)",
+        "y (m)",
+        "y rate (m/s)",
+        "y acceleration (m/s²)",
+        "y jerk (m/s³)",
+    ];
+    for (name, wanted) in names.iter().zip(wanted) {
+        let found = rows[0][column(&header, &format!("pin.{name}"))];
+        assert!((found - 2.0 * wanted).abs() < 1e-14, "{name}: {found}");
+    }
+    assert_eq!(parsed(&of_speed), (vec!["t (s)".into(), "speed (rad/s)".into(), "speed rate (rad/s²)".into()], vec![vec![0.5, 1.0, 0.0]]));
+    Ok(())
+}

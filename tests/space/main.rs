@@ -2,6 +2,7 @@
 
 mod arms;
 mod couplings;
+mod crosses;
 mod declaration;
 mod further_angles;
 mod limits;

@@ -194,6 +194,19 @@ pub(crate) fn find(name: &str, ambient: Ambient) -> Option<Rc<Definition>> {
     syntax::parse_exported(tokens, &mut Diag::default())?.into_iter().next().map(Rc::new)
 }
 
+/// A joint, drive, force or freedom of this kind, as in "a `revolute` joint".
+pub(crate) fn described(kind: &str) -> String {
+    let is_force = [Ambient::Plane, Ambient::Space].into_iter().any(|ambient| forces(ambient).any(|known| known == kind));
+    match kind {
+        "freedom" => "a `freedom`".to_owned(),
+        "energy" => "an `energy`".to_owned(),
+        "equation" => "a joint with an equation".to_owned(),
+        _ if is_force => format!("a `{kind}` force"),
+        _ if kind.starts_with("drive_") => format!("a `{kind}` drive"),
+        _ => format!("a `{kind}` joint"),
+    }
+}
+
 /// Function with this name; `None` if there is none in the library.
 pub(crate) fn function(name: &str) -> Option<Shared<FunctionItem>> {
     syntax::parse_function(tokens(FUNCTIONS, name)?, &mut Diag::default()).map(Shared::new)

@@ -43,7 +43,7 @@ impl Elaborator<'_> {
                 NameFact::UnknownFunction {
                     name: name.to_string(),
                     near,
-                    is_constraint: library::find(&name.to_string(), self.names.ambient).is_some(),
+                    is_force: library::find(&name.to_string(), self.names.ambient).map(|found| found.is_force),
                 },
             );
         }

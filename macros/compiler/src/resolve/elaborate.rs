@@ -372,9 +372,13 @@ impl Elaborator<'_> {
                     return Some(value);
                 }
                 let mut words: Vec<&str> = arguments.iter().map(|(known, _)| known.as_str()).collect();
-                words.extend(["angle", "displacement"].into_iter().filter(|word| self.quantity_of(&kind, &arguments, word).is_some()));
+                words.extend(
+                    ["angle", "displacement", "angle_a", "angle_b", "x", "y"]
+                        .into_iter()
+                        .filter(|word| self.quantity_of(&kind, &arguments, word).is_some()),
+                );
                 let (near, known) = (self.nearest(&name, words.iter().copied()), Known::of(words.iter().copied()));
-                return self.refuse(field, NameFact::UnknownField { owner: format!("a `{kind}` joint"), name, near, known });
+                return self.refuse(field, NameFact::UnknownField { owner: crate::library::described(&kind), name, near, known });
             }
             _ if self.names.ambient.component(&name).is_some() => {}
             _ => return self.refuse(field, unknown_field(&value, name, self.names.ambient)),

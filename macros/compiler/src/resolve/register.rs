@@ -366,8 +366,8 @@ impl Elaborator<'_> {
         }
         let near = self.nearest(&word, self.names.components.keys().map(String::as_str));
         let meant = near.as_ref().and_then(|near| self.names.components.get(near)).cloned();
-        let is_constraint = self.known_definition(&word).is_some();
-        self.once(part, |this| this.refuse::<()>(&part.kind, ArrayFact::UnknownComponent { name: word, near, is_constraint }));
+        let is_force = self.known_definition(&word).map(|found| found.is_force);
+        self.once(part, |this| this.refuse::<()>(&part.kind, ArrayFact::UnknownComponent { name: word, near, is_force }));
         meant
     }
 

@@ -370,6 +370,7 @@ fn slices(tree: &Mechanism, promised: &Outline, visibility: &TokenStream, body: 
                 type Value = #value;
                 const PLAN: ::reuleaux::Plan = #plan;
                 const HELD: [::core::primitive::usize; 1] = [0];
+                const OUTPUTS: &'static [::reuleaux::OutputName] = &[];
                 const COMPONENTS: &'static [::reuleaux::Coordinate] = &[];
                 const COMPUTED_ANGLES: &'static [::core::primitive::usize] = &[];
                 const ITERATED: &'static [::core::primitive::usize] = &[];

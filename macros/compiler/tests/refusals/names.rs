@@ -30,8 +30,8 @@ crate::refusals! {
     item angle_as_a_function: "output turned = «angle»(crank);" => "no function is called `angle`\nhelp: the angle of a body is `body.angle`, that of a vector `direction(v)`";
     item output_that_would_hide_derivatives: "output «derivatives» = crank.x;" => "an output cannot be called `derivatives`: a generated function has that name\nhelp: choose another name, such as `derivatives_value`";
     item direction_of_angles_of_a_vector: "let way = (0, 1) «from» (1, 0);" => "expected `;`, found `from`\nhelp: `from` belongs to an `axis` of a body or of ground, or to a `freedom`";
-    item unit_of_elsewhere: "body b { inertia = «3000kgmm2»; }" => "no unit is called `kgmm2`\nhelp: `1kgmm2` is `0.000001kgm2`";
-    item unit_with_another_prefix: "param a: Torque = «5kNm»;" => "no unit is called `kNm`\nhelp: `1kNm` is `1000Nm`";
+    item unit_of_elsewhere: "body b { inertia = «3000gmm2»; }" => "no unit is called `gmm2`\nhelp: `1gmm2` is `0.000000001kgm2`";
+    item unit_with_another_prefix: "param a: Torque = «5MNm»;" => "no unit is called `MNm`\nhelp: `1MNm` is `1000000Nm`";
     item unit_of_volume: "param a: Length = «5mm3» / 1mm2;" => "no unit is called `mm3`\nhelp: `1mm3` is `1mm2 * 1mm`";
     item gravity_by_its_letter: "gravity = (0, -«g»);" => "nothing is called `g` here\nhelp: write the acceleration of gravity as `9.81m_s2`, or declare `param g: Acceleration = 9.81m_s2;`";
     item spring_by_its_kind: "force s = «compression_spring»(ground.O, crank.A, 1N_mm, 10mm);" => "no force is called `compression_spring`\nhelp: did you mean `spring`?\nnote: there are `spring`, `damper`, `spring_damper`, `actuator`, `constant_force`, `gas_spring`, `drag`, `motor`, `torsion_spring`, `torsion_damper` and `torsion_spring_damper`";

@@ -1,6 +1,6 @@
 //! Messages about loops, arrays and parts.
 
-use super::words::{did_you_mean, first_of};
+use super::words::{declared, did_you_mean, first_of};
 use crate::diag::{ArrayFact, Kind};
 use std::fmt::{Display, Formatter, Result};
 
@@ -65,8 +65,9 @@ impl Display for ArrayFact {
                 )
             }
             ArrayFact::WholeTooLarge { found } => write!(f, "`{found}` is too large: an index or the end of a range stays below 2^63"),
-            ArrayFact::UnknownComponent { name, is_constraint: true, .. } => {
-                write!(f, "`{name}` is a constraint, not a component\nhelp: write `joint name = {name}(…);`")
+            ArrayFact::UnknownComponent { name, is_force: Some(is_force), .. } => {
+                let [kind, item] = declared(*is_force);
+                write!(f, "`{name}` is a {kind}, not a component\nhelp: write `{item} name = {name}(…);`")
             }
             ArrayFact::UnknownComponent { name, near, .. } => {
                 write!(f, "no component is called `{name}`{}", did_you_mean(near))?;

@@ -1,6 +1,6 @@
 //! Messages about names.
 
-use super::words::{did_you_mean, first_of, is_acceleration, is_load, is_power, is_rate, is_sign, list, listed, shortened};
+use super::words::{declared, did_you_mean, first_of, is_acceleration, is_load, is_power, is_rate, is_sign, list, listed, shortened};
 use crate::diag::elsewhere::equivalent;
 use crate::diag::{Home, NameFact, usual_dimension};
 use crate::quantity::{Dim, Role};
@@ -72,11 +72,12 @@ impl Display for NameFact {
                     None => write!(f, "\nhelp: write `joint.angle` with the name of a joint, or `joint_angle(a, b)` of two axes"),
                 }
             }
-            NameFact::UnknownFunction { name, is_constraint: true, .. } if name == "distance" => {
+            NameFact::UnknownFunction { name, is_force: Some(false), .. } if name == "distance" => {
                 write!(f, "`distance` is a constraint, not a function\nhelp: the distance of two points is `norm(Q - P)`")
             }
-            NameFact::UnknownFunction { name, is_constraint: true, .. } => {
-                write!(f, "`{name}` is a constraint, not a function\nhelp: write `joint name = {name}(…);`")
+            NameFact::UnknownFunction { name, is_force: Some(is_force), .. } => {
+                let [kind, item] = declared(*is_force);
+                write!(f, "`{name}` is a {kind}, not a function\nhelp: write `{item} name = {name}(…);`")
             }
             NameFact::UnknownFunction { name, .. } if is_power(name) => {
                 write!(f, "no function is called `{name}`\nhelp: a power is written `a^b`")

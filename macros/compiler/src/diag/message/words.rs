@@ -1,5 +1,10 @@
 //! Formats lists, numbers and the like.
 
+/// The kind of a definition, and the item that declares one.
+pub(super) fn declared(is_force: bool) -> [&'static str; 2] {
+    if is_force { ["force", "force"] } else { ["constraint", "joint"] }
+}
+
 /// `, did you mean …` as a help line, or nothing.
 pub(super) fn did_you_mean(near: &Option<String>) -> String {
     near.as_ref().map_or(String::new(), |near| format!("\nhelp: did you mean `{near}`?"))

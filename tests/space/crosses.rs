@@ -1,0 +1,92 @@
+//! The two angles of a universal joint, and the place of a planar joint.
+
+use reuleaux::mechanism;
+use reuleaux::nalgebra::{Rotation3, Vector3};
+
+mechanism! {
+    /// A head on a cross, turned by both angles of it.
+    mechanism Head in space {
+        ground { axis a = (1, 0, 0) from (0, 1, 0); }
+        body head { axis b = (0, 1, 0) from (1, 0, 0);  point E = (0.1m, 0.2m, 0.3m); }
+        joint hook = universal(ground.position, ground.a, head.position, head.b);
+        drive pan = drive_rotation(hook.angle_a, 0.2rad + 1.5rad_s * t);
+        drive tilt = drive_rotation(hook.angle_b, -0.3rad + 0.7rad_s * t);
+        output end = head.E;
+        output across = hook.angle_a;
+    }
+}
+
+mechanism! {
+    /// A puck on a table, moved by its place and its angle.
+    mechanism Puck in space {
+        ground { axis up = (0, 0, 1) from (0, 1, 0);  point O = (1m, 2m, 3m); }
+        body puck { axis up = (0, 0, 1) from (1, 0, 0); }
+        joint bed = planar(ground.O, ground.up, puck.position, puck.up, 0.5m);
+        drive one = { bed.x == 0.3m + 2m_s * t; }
+        drive other = { bed.y == 0.4m - 1m_s * t; }
+        drive turn = drive_rotation(bed.angle, 3rad_s * t);
+        output place = puck.position;
+    }
+}
+
+mechanism! {
+    /// A shaft bent by a cross: its angles are those of a right spherical triangle.
+    mechanism Cardan in space {
+        param bend: Angle = 30deg;
+        ground { axis x = (1, 0, 0) from (0, 0, 1);  axis way = (cos(bend), sin(bend), 0) from (0, 0, 1); }
+        body input  { axis x = (1, 0, 0) from (0, 0, 1);  axis arm = (0, 0, 1) from (0, 1, 0); }
+        body output { axis x = (1, 0, 0) from (0, 0, 1);  axis arm = (0, 1, 0) from (0, 0, 1); }
+        joint bearing = revolute(ground.position, ground.x, input.position, input.x);
+        joint cross_pin = universal(input.position, input.arm, output.position, output.arm);
+        joint far = parallel_axes(ground.way, output.x);
+        drive motor = drive_rotation(bearing, 60rpm * t);
+        output swing = cross_pin.angle_a;
+        output nod = cross_pin.angle_b;
+    }
+}
+
+/// R = turn(x, α) turn(y, β), ω = α̇ x + β̇ turn(x, α) y
+#[test]
+fn both_angles_of_a_cross_turn_a_head() {
+    let head = Head::default();
+    for state in head.sweep((0..=20).map(|k| 0.05 * f64::from(k))) {
+        let state = state.expect("a state");
+        let (alpha, beta) = (0.2 + 1.5 * state.t, -0.3 + 0.7 * state.t);
+        let first = Rotation3::from_axis_angle(&Vector3::x_axis(), alpha);
+        let at = first * Rotation3::from_axis_angle(&Vector3::y_axis(), beta) * Vector3::new(0.1, 0.2, 0.3);
+        let omega = Vector3::x() * 1.5 + first * Vector3::y() * 0.7;
+        let end = head.end(&state);
+        assert!((end.value - at).norm() < 1e-15, "t = {}: {} for {at}", state.t, end.value);
+        assert!((end.rate - omega.cross(&at)).norm() < 1e-14, "t = {}", state.t);
+        let across = head.across(&state);
+        assert!((across.value - alpha).abs() < 2e-15 && (across.rate - 1.5).abs() < 1e-14 && across.acceleration.abs() < 1e-13);
+    }
+}
+
+/// x of the table is y of ground, and y of the table −x.
+#[test]
+fn a_puck_has_its_place_on_the_table() {
+    let puck = Puck::default();
+    for state in puck.sweep([0.0, 0.3, 1.0]) {
+        let state = state.expect("a state");
+        let wanted = Vector3::new(1.0 - (0.4 - state.t), 2.0 + 0.3 + 2.0 * state.t, 3.5);
+        let place = puck.place(&state);
+        assert!((place.value - wanted).norm() < 1e-15 * wanted.norm(), "{}", place.value);
+        assert!((place.rate - Vector3::new(1.0, 2.0, 0.0)).norm() < 1e-14);
+    }
+}
+
+/// The arms stay perpendicular. With the input at φ the arm of the input is (0, −sin φ, cos φ), that of the output is perpendicular to it and to
+/// the shaft: their angles against the shafts are tan a = tan β cos φ, sin b = sin β sin φ, but for signs.
+#[test]
+fn a_bent_shaft_swings_and_nods() {
+    let cardan = Cardan::default();
+    let bend = 30_f64.to_radians();
+    for state in cardan.sweep((0..=60).map(|k| f64::from(k) / 60.0)) {
+        let state = state.expect("a state");
+        let phi = core::f64::consts::TAU * state.t;
+        let (swing, nod) = (cardan.swing(&state).value, cardan.nod(&state).value);
+        assert!((swing.tan() - bend.tan() * phi.cos()).abs() < 1e-14, "φ = {phi}: {swing}");
+        assert!((nod.sin().abs() - (bend.sin() * phi.sin()).abs()).abs() < 1e-14, "φ = {phi}: {nod}");
+    }
+}
