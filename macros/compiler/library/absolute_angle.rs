@@ -1,6 +1,11 @@
 /// A body keeps its angle: it moves without turning.
 ///
 /// ```text
+///      ╱ b              ╱ b
+///     ╱                ╱
+///    ╱ ) c            ╱ ) c
+///   ╱_______ x       ╱_______ x
+///
 ///   φ − c = 0                                  1 row, rad
 /// ```
 ///

@@ -1,6 +1,11 @@
 /// A point keeps its distance from a place in ground.
 ///
 /// ```text
+///     C                 P
+///    (o)───────────────(o)
+///   ──┴──      c
+///   /////
+///
 ///   hᵀh − c² = 0,  h = r_P − C                 1 row, m²
 /// ```
 ///

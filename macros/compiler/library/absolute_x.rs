@@ -1,6 +1,12 @@
 /// A point keeps its x coordinate in ground.
 ///
 /// ```text
+///   y          │
+///   │          │
+///   ├─── c ───▶P
+///   │          │
+///   └──────────────── x
+///
 ///   x_P − c = 0                                1 row, m
 /// ```
 ///

@@ -1,6 +1,12 @@
 /// A point keeps its y coordinate in ground.
 ///
 /// ```text
+///   y
+///   │   ───────P──────
+///   │          ▲
+///   │          │ c
+///   └──────────┴───── x
+///
 ///   y_P − c = 0                                1 row, m
 /// ```
 ///

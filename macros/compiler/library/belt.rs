@@ -1,6 +1,13 @@
 /// Two pulleys joined by a belt or chain that does not slip, with their axes on a carrier.
 ///
 /// ```text
+///     ╱▔▔▔▔▔▔▔╲▔▔▔▔▔───────◀───────▁▁▁▁▁▁▁▁▁
+///    ╱         ╲                    ╱▔▔▔▔▔▔▔╲
+///   │─ a (o)════╪══════ k ═════════╪═══(o)─ b│
+///    ╲         ╱                    ╲_______╱
+///     ╲_______╱_____───────▶───────▔▔▔▔▔▔▔▔▔
+///         i                             j
+///
 ///   a (φ_i − φ_k) − b (φ_j − φ_k) − c = 0      1 row; rad, or m with radii
 /// ```
 ///

@@ -1,6 +1,15 @@
 /// A flat-faced follower on a disc cam: the face stays a tangent of the cam's outline.
 ///
 /// ```text
+///       ▲ n
+///       │
+///   ____F_____________________
+///            ╱▔▔▔│▔▔▔╲
+///           ╱    │ h  ╲
+///          │     │ ) ψ │
+///          │     O────────▶ x_cam
+///           ╲_________╱
+///
 ///   n · (r_F − r_O) − h(ψ) = 0                 1 row, m
 ///   ψ = arg n − φ_cam
 /// ```

@@ -1,6 +1,15 @@
 /// A knife-edge follower on a disc cam: the point `F` of the follower stays on the cam's outline.
 ///
 /// ```text
+///      │   │
+///       ╲ ╱
+///      __F__
+///     ╱  │  ╲
+///    ╱   │ R ╲
+///   │    │ ) ψ│
+///   │    O───────▶ x_cam
+///    ╲_______╱
+///
 ///   |r_F − r_O| − R(ψ) = 0                     1 row, m
 ///   ψ = arg(r_F − r_O) − φ_cam
 /// ```

@@ -1,6 +1,15 @@
 /// A roller follower on a disc cam: the roller's centre `C` stays on the pitch curve.
 ///
 /// ```text
+///       │ │
+///       │ │
+///      ( C ) ρ
+///     ╱▔▔│▔▔▔▔▔╲
+///    ╱   │ R + ρ╲
+///   │    │ ) ψ   │
+///   │    O──────────▶ x_cam
+///    ╲__________╱
+///
 ///   |r_C − r_O| − R(ψ) − ρ = 0                 1 row, m
 ///   ψ = arg(r_C − r_O) − φ_cam
 /// ```

@@ -1,6 +1,10 @@
 /// The displacement along a translational joint follows a law of time.
 ///
 /// ```text
+///         u ──▶
+///   ──────P─────────[ Q ]────
+///         └─ C(t) ───▶┘
+///
 ///   û · (r_Q − r_P) − C(t) = 0                 1 row, m
 /// ```
 ///

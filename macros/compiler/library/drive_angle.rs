@@ -1,6 +1,11 @@
 /// A body's angle follows a law of time.
 ///
 /// ```text
+///      ╱ b
+///     ╱ ◀╮
+///    ╱   │ C(t)
+///   ╱____│___ x
+///
 ///   φ − C(t) = 0                               1 row, rad
 ///   ν = Ċ,  γ = C̈
 /// ```

@@ -1,6 +1,11 @@
 /// The angle of one body against another follows a law of time: a motor between them.
 ///
 /// ```text
+///      ╱ j
+///     ╱ ◀╮
+///    ╱   │ C(t)
+///   ╱____│___ i
+///
 ///   φ_j − φ_i − C(t) = 0                       1 row, rad
 ///   ν = Ċ,  γ = C̈
 /// ```

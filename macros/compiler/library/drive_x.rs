@@ -1,6 +1,12 @@
 /// A point's x coordinate in ground follows a law of time.
 ///
 /// ```text
+///   y          │
+///   │          │
+///   ├─ C(t) ──▶P
+///   │          │
+///   └──────────────── x
+///
 ///   x_P − C(t) = 0                             1 row, m
 ///   ν = Ċ
 /// ```

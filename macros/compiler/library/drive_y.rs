@@ -1,6 +1,12 @@
 /// A point's y coordinate in ground follows a law of time.
 ///
 /// ```text
+///   y
+///   │   ───────P──────
+///   │          ▲
+///   │          │ C(t)
+///   └──────────┴───── x
+///
 ///   y_P − C(t) = 0                             1 row, m
 ///   ν = Ċ
 /// ```

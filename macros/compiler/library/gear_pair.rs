@@ -1,6 +1,14 @@
 /// Two gears in mesh, with their axes on a carrier.
 ///
 /// ```text
+///      _________
+///     ╱         ╲
+///    ╱           ╲ ╱▔▔▔▔▔▔▔╲
+///   │── a (o)═ k ═╪═══(o)─ b│
+///    ╲           ╱ ╲_______╱
+///     ╲_________╱
+///          i           j
+///
 ///   a (φ_i − φ_k) + b (φ_j − φ_k) − c = 0      1 row; rad, or m with radii
 /// ```
 ///

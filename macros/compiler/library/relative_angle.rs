@@ -1,6 +1,11 @@
 /// Two bodies keep the angle between them.
 ///
 /// ```text
+///      ╱ j
+///     ╱
+///    ╱ ) c
+///   ╱_______ i
+///
 ///   φ_j − φ_i − c = 0                          1 row, rad
 /// ```
 ///

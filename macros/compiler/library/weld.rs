@@ -1,6 +1,12 @@
 /// Two bodies become one: a point of each stays together and the angle between them is kept.
 ///
 /// ```text
+///                ╱ j
+///               ╱
+///       i      ╱ ) c
+///   ──────────●─ ─ ─ ─
+///           P = Q
+///
 ///   r_P − r_Q     = 0                          rows 1 and 2, m
 ///   φ_j − φ_i − c = 0                          row 3, rad
 /// ```

@@ -1,6 +1,10 @@
 /// A force along the line between two points: a hydraulic cylinder, a muscle.
 ///
 /// ```text
+///          P   ┌────────────┐        Q
+///   F ◀───(o)──┤        ║───┼───────(o)───▶ F
+///              └────────────┘
+///
 ///   F pushes P and Q apart
 /// ```
 ///

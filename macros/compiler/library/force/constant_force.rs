@@ -1,6 +1,10 @@
 /// A spring that pulls with one force at every length: a tape that is wound up, a weight on a rope over a pulley far away.
 ///
 /// ```text
+///    P                          Q
+///   (@)────────────────────────(o)
+///      force ──▶      ◀── force
+///
 ///   F = force along the line from P to Q, on both ends
 /// ```
 ///

@@ -1,6 +1,11 @@
 /// A damper between two points.
 ///
 /// ```text
+///    P         ┌──────         Q
+///   (o)────────┤   ├──────────(o)
+///     F ──▶    └──────    ◀── F
+///    └──────────── l ─────────▶┘
+///
 ///   F = damping l̇ along the line from P to Q, on both ends      l = |r_Q − r_P|
 /// ```
 ///

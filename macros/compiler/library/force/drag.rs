@@ -1,6 +1,10 @@
 /// A resistance at a point that grows with the square of its speed: air, water.
 ///
 /// ```text
+///          ╭───╮
+///   F ◀════│ P │────▶ v
+///          ╰───╯
+///
 ///   F = −factor |v| v at P      v = ṙ_P
 /// ```
 ///

@@ -1,6 +1,11 @@
 /// A gas spring between two points: a closed volume of gas under a piston.
 ///
 /// ```text
+///          P   ┌────────────────────┐        Q
+///   F ◀───(o)──┤◀ column − s ▶║─────┼───────(o)───▶ F
+///              └────────────────────┘
+///          └─────────────── l ──────────────▶┘
+///
 ///   F = force (column / (column − s))^exponent pushes P and Q apart      s = length − l,  l = |r_Q − r_P|
 /// ```
 ///

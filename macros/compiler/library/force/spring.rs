@@ -1,6 +1,11 @@
 /// A spring between two points.
 ///
 /// ```text
+///    P                        Q
+///   (o)──────╱╲╱╲╱╲╱╲╱╲──────(o)
+///     F ──▶              ◀── F
+///    └──────────── l ────────▶┘
+///
 ///   F = stiffness (l − rest) along the line from P to Q, on both ends      l = |r_Q − r_P|
 /// ```
 ///

@@ -1,6 +1,13 @@
 /// A spring and a damper in parallel between two points.
 ///
 /// ```text
+///    P     ┌────╱╲╱╲╱╲╱╲────┐     Q
+///   (o)────┤                ├────(o)
+///          │     ┌──────    │
+///     F ──▶└─────┤   ├──────┘◀── F
+///                └──────
+///    └────────────── l ──────────▶┘
+///
 ///   F = stiffness (l − rest) + damping l̇ along the line from P to Q, on both ends      l = |r_Q − r_P|
 /// ```
 ///

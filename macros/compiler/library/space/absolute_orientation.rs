@@ -1,6 +1,13 @@
 /// Two axes with the directions across them stay together: the bodies keep one orientation.
 ///
 /// ```text
+///     z_a               z_b
+///      │                 │
+///      │                 │
+///      o────── y_a       o────── y_b
+///     ╱                 ╱
+///   x_a               x_b
+///
 ///   y_a · z_b = 0,  z_a · x_b = 0,  x_a · y_b = 0      3 rows
 /// ```
 ///

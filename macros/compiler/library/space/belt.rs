@@ -1,6 +1,13 @@
 /// The angles of two joints turn in a fixed ratio the same way: a belt or chain that does not slip.
 ///
 /// ```text
+///     ╱▔▔▔▔▔▔▔╲▔▔▔▔▔───────◀───────▁▁▁▁▁▁▁▁▁
+///    ╱         ╲                    ╱▔▔▔▔▔▔▔╲
+///   │─ a (o)    │                  │   (o)─ b│
+///    ╲         ╱                    ╲_______╱
+///     ╲_______╱_____───────▶───────▔▔▔▔▔▔▔▔▔
+///     one  θ_1                      two  θ_2
+///
 ///   a θ_1 − b θ_2 − c = 0                      1 row; rad, or m with radii
 /// ```
 ///

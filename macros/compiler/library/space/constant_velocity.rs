@@ -1,6 +1,12 @@
 /// Two points stay together, and two shafts turn together, whatever the angle between them: a constant-velocity joint (homokinetic, Rzeppa).
 ///
 /// ```text
+///                         ╱╱ b, θ_b
+///                        ╱╱
+///      a ──▶ ╭─         ╱╱ ) β
+///   ═════════╪═════════(●)─ ─ ─ ─
+///            ╰─▶ θ_a  P = Q
+///
 ///   r_P − r_Q = 0                              3 rows, m
 ///   x_a · y_b − y_a · x_b = 0                  1 row
 /// ```

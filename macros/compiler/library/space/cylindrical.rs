@@ -1,6 +1,11 @@
 /// Two axes stay on one line: the bodies turn about it and slide along it.
 ///
 /// ```text
+///       a ──▶          ┌───────┐ b ──▶   ╭───╮
+///   ═══════P═══════════╪═══Q═══╪══════   │( )│
+///     i                └───────┘ j       ╰───╯
+///          └ displacement ▶┘
+///
 ///   x_a · d = 0,  y_a · d = 0                  2 rows, m          d = r_Q − r_P
 ///   x_a · z_b = 0,  y_a · z_b = 0              2 rows
 ///   angle = atan2(y_a · x_b, x_a · x_b)

@@ -1,6 +1,14 @@
 /// A bevel differential: the housing turns with the mean of its two shafts.
 ///
 /// ```text
+///              ┌──────┬──────┐ θ_k
+///              │  ╲───┴───╱  │
+///              │ │╲╲     ╱╱│ │
+///   θ_i ═══════╪═╡         ╞═╪═══════ θ_j
+///              │ │╱╱     ╲╲│ │
+///              │  ╱───┬───╲  │
+///              └──────┴──────┘
+///
 ///   (θ_i − θ_k) + ratio (θ_j − θ_k) − c = 0    1 row, rad
 /// ```
 ///

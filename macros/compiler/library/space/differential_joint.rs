@@ -1,6 +1,15 @@
 /// The differential of multi-point constraints, as published: the turns of three nodes against a carrier, along three axes.
 ///
 /// ```text
+///                     ║ N1   ▲ r_1
+///                 │╲╲─╨─╱
+///                 ├──┬──────┬──────┐
+///                 │  │ │╲───┴───╱│ │
+///    N2 ══════════╪══╪═╡         ╞═╪══════════ N3
+///      r_2 ──▶    │  │ │╱───┬───╲│ │   r_3 ──▶
+///                 ├──┴──────┴──────┘
+///   o N0          │
+///
 ///   α Δω_1 · e_1 + Δω_2 · e_2 + Δω_3 · e_3 = 0     3 rows, rad/s      e = r, s, t,  Δω_i = ω_i − ω_0
 /// ```
 ///

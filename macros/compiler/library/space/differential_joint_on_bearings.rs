@@ -1,6 +1,15 @@
 /// The differential of multi-point constraints on bearings: three nodes turn about axes of a carrier, their turns in a fixed relation.
 ///
 /// ```text
+///                   │║│ N1  ▲ r_1
+///                │╲╲─╨─╱
+///                ├──┬──────┬──────┐
+///       N0 ▁▁▁   │  │ │╲───┴───╱│ │   ▁▁▁ N0
+///   N2 ══════════╪══╪═╡         ╞═╪══════════ N3
+///          ▔▔▔   │  │ │╱───┬───╲│ │   ▔▔▔
+///     r_2 ──▶    ├──┴──────┴──────┘   r_3 ──▶
+///                │
+///
 ///   α Δω_1 · r_1 + Δω_2 · r_2 + Δω_3 · r_3 = 0     1 row, rad/s       Δω_i = ω_i − ω_0
 ///   Δω_i · s_i = 0,  Δω_i · t_i = 0                2 rows for each node, rad/s
 /// ```

@@ -1,6 +1,14 @@
 /// The orientation of a body follows a law of time: its roll, pitch and yaw against an axis of another body, or of ground.
 ///
 /// ```text
+///       z_a
+///   ╰────┼───▶ yaw
+///        │       ╭
+///        o───────┼─── y_a
+///   ◀───╱──╮     ╰▶ pitch
+///      ╱   │ roll
+///    x_a
+///
 ///   R = turn(z_a, yaw) · turn(y_a, pitch) · turn(x_a, roll)      roll first
 ///   x, y, z: x_a, y_a, z_a turned by R
 ///

@@ -1,6 +1,10 @@
 /// The angle of a joint follows a law of time: a motor.
 ///
 /// ```text
+///       ┌───────┐      ╭─
+///   i ══╡       ╞══════╪══════ j
+///       └───────┘      ╰─▶ C(t)
+///
 ///   θ − C(t) = 0                               1 row, rad
 ///   ν = Ċ
 /// ```

@@ -1,6 +1,11 @@
 /// The displacement of a joint follows a law of time: a linear motor.
 ///
 /// ```text
+///       a ──▶      ┌───────┐
+///   ═══════P═══════╪═══Q═══╪═══════
+///     i    │       └───┬───┘ j
+///          └── C(t) ──▶┘
+///
 ///   z_a · (r_Q − r_P) − C(t) = 0               1 row, m
 ///   ν = Ċ
 /// ```

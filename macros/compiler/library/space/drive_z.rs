@@ -1,6 +1,14 @@
 /// The z coordinate of a point follows a law of time.
 ///
 /// ```text
+///     z      ___________
+///     │     ╱     P    ╱
+///     │    ╱______▲___╱
+///     │           │ C(t)
+///     o───────────┴───── y
+///    ╱
+///   x
+///
 ///   z_P − C(t) = 0                             1 row, m
 ///   ν = Ċ
 /// ```

@@ -1,6 +1,12 @@
 /// The gear joint of multi-point constraints: two nodes at fixed places on a carrier, each turning about an axis of it in a fixed ratio.
 ///
 /// ```text
+///             ▲ r_1          ▲ r_2
+///             ║              ║
+///   │─── α ───╫─────────││─1─╫───│
+///             ║ N1           ║ N2
+///   ══════════╩══════════════╩════ N0
+///
 ///   v_i − v_0 − ω_0 × (r_i − r_0) = 0          3 rows for each node, m/s      i = 1, 2
 ///   α Δω_1 · r_1 + Δω_2 · r_2 = 0              1 row, rad/s                   Δω_i = ω_i − ω_0
 ///   Δω_i · s_i = 0,  Δω_i · t_i = 0            2 rows for each node, rad/s

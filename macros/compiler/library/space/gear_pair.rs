@@ -1,6 +1,14 @@
 /// The angles of two joints turn in a fixed ratio: spur, bevel and worm gears.
 ///
 /// ```text
+///      _________
+///     ╱         ╲
+///    ╱           ╲ ╱▔▔▔▔▔▔▔╲
+///   │── a (o)     │   (o)─ b│
+///    ╲           ╱ ╲_______╱
+///     ╲_________╱
+///      one  θ_1     two  θ_2
+///
 ///   a θ_1 + b θ_2 − c = 0                      1 row; rad, or m with radii
 /// ```
 ///

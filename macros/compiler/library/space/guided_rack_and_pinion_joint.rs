@@ -1,6 +1,14 @@
 /// The rack and pinion of multi-point constraints with its guide: the pinion keeps its place on the carrier, the rack slides along an axis.
 ///
 /// ```text
+///                                          r_2 ──▶
+///    ______┌─────┐_____________┌─────┐______
+///   │______└──┬──┘_____________└──┬──┘______│ N2
+///             │    ╱▔▔▔▔▔▔▔╲      │
+///             │   │r_1(o)─ α│ N1  │
+///             │    ╲___│___╱      │
+///             └────────┴──────────┘ N0
+///
 ///   v_1 − v_0 − ω_0 × (r_1 − r_0) = 0          3 rows, m/s
 ///   ω_2 − ω_0 = 0                              3 rows, rad/s
 ///   α Δω_1 · r_1 + ΔV_2 · r_2 = 0              1 row, m/s

@@ -1,6 +1,11 @@
 /// A blade moves along its edge only: a skate, a sledge, a wheel that is light enough to be left out.
 ///
 /// ```text
+///               ▲ b
+///               │
+///   ◀──  ═══════Q═══════  ──▶
+///                            on
+///
 ///   z_b · c = 0                                          1 row of velocities, m/s
 ///   c = v_j + ω_j × (r_Q − r_j) − v_i − ω_i × (r_Q − r_i)
 /// ```

@@ -1,6 +1,11 @@
 /// Two axes keep one direction.
 ///
 /// ```text
+///   ▲ a           ▲ b
+///   ║             ║
+///   ║             ║
+///   ║ i           ║ j
+///
 ///   x_a · z_b = 0,  y_a · z_b = 0              2 rows
 ///   angle = atan2(y_a · x_b, x_a · x_b)
 /// ```

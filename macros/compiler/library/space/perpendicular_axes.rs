@@ -1,6 +1,11 @@
 /// Two axes stay at a right angle to each other, or at another angle.
 ///
 /// ```text
+///   ▲ a           │
+///   ║             │──┐ acos(cosine)
+///   ║             │  │
+///   ║             o══╧═══════▶ b
+///
 ///   z_a · z_b − cosine = 0                     1 row
 /// ```
 ///

@@ -1,6 +1,14 @@
 /// A point of one body stays in a plane of the other, and the normals of both keep one direction.
 ///
 /// ```text
+///     a ▲              ▲ b
+///       │        ______│______
+///       │       ╱      Q     ╱  j
+///       │      ╱_______┬____╱
+///     __│______________│ offset__
+///    ╱  P              ┴        ╱  i
+///   ╱__________________________╱
+///
 ///   x_a · z_b = 0,  y_a · z_b = 0              2 rows
 ///   z_a · d − offset = 0                       1 row, m           d = r_Q − r_P
 ///   angle = atan2(y_a · x_b, x_a · x_b)

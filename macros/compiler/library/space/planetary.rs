@@ -1,6 +1,14 @@
 /// Sun, ring and carrier of a planetary gear train.
 ///
 /// ```text
+///          ┌──────┐
+///          │    ──┴──     z_ring
+///          │    ──┬──
+///   ring ──┘      o──────┐
+///               ──┴──    │
+///               ──┬──    │  z_sun
+///    sun ─────────┘      └── carrier
+///
 ///   z_s (θ_s − θ_c) + z_r (θ_r − θ_c) − c = 0  1 row, rad (or m with radii)
 /// ```
 ///

@@ -1,6 +1,10 @@
 /// A point stays on a line of another body.
 ///
 /// ```text
+///       a ──▶               │ j
+///   ═══════P═══════════════(Q)════
+///     i    └ displacement ─▶┘
+///
 ///   x_a · d = 0,  y_a · d = 0                  2 rows, m          d = r_Q − r_P
 ///   displacement = z_a · d
 /// ```

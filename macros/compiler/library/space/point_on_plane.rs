@@ -1,6 +1,12 @@
 /// A point stays in a plane of another body, or at a distance from it.
 ///
 /// ```text
+///     a ▲          Q
+///       │          │ offset
+///     __│__________│_____
+///    ╱  P          ┴    ╱
+///   ╱__________________╱
+///
 ///   z_a · d − offset = 0                       1 row, m           d = r_Q − r_P
 /// ```
 ///

@@ -1,6 +1,14 @@
 /// The rack and pinion of multi-point constraints, as published: a turn of one node goes with a displacement of another, along three axes.
 ///
 /// ```text
+///                           r_2 ──▶
+///    ____________________________
+///   │____________________________│ N2
+///               ╱▔▔▔▔▔▔▔╲
+///              │r_1(o)─ α│ N1
+///               ╲_______╱
+///   o N0
+///
 ///   α Δω_1 · e_1 + ΔV_2 · e_2 = 0              3 rows, m/s      e = r, s, t
 ///   Δω_1 = ω_1 − ω_0
 ///   ΔV_2 = v_2 − v_0 − ω_0 × (r_2 − r_0)

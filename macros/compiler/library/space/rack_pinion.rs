@@ -1,6 +1,14 @@
 /// The angle of a joint moves a point along an axis: rack and pinion.
 ///
 /// ```text
+///     P               Q     a ──▶
+///     o──────────────▶o
+///    _________________│________
+///   │__________________________│
+///             ╱▔▔▔▔▔▔▔╲
+///            │ θ (o)───│ radius
+///             ╲_______╱
+///
 ///   z_a · (r_Q − r_P) + radius θ − c = 0       1 row, m
 /// ```
 ///

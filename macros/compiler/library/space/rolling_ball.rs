@@ -1,6 +1,13 @@
 /// A ball rolls on a plane of another body without sliding.
 ///
 /// ```text
+///        _________
+///      ╱           ╲        ▲ a
+///     │      Q      │       │
+///     │      │ radius       │
+///      ╲_____│_____╱        │
+///   ▔▔▔▔▔▔▔▔▔P▔▔▔▔▔▔▔▔▔▔▔▔▔▔▔▔▔
+///
 ///   P = r_Q − radius n                                   the contact, n = z_a
 ///   c = v_j + ω_j × (P − r_j) − v_i − ω_i × (P − r_i)    velocity of the ball's material against the plane's
 ///   x_a · c = 0,  y_a · c = 0,  n · c = 0                3 rows of velocities, m/s

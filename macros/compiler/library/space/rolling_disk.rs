@@ -1,6 +1,13 @@
 /// A thin disk rolls on a plane of another body without sliding.
 ///
 /// ```text
+///         ╲        ▁▁ b    ▲ a
+///          ╲   ▁──▔        │
+///           Q─▔            │
+///            ╲ radius      │
+///             ╲            │
+///   ▔▔▔▔▔▔▔▔▔▔▔P▔▔▔▔▔▔▔▔▔▔▔▔▔▔▔
+///
 ///   P = r_Q + radius u,  u = (z_b (z_b · n) − n)/|…|     the contact, n = z_a
 ///   c = v_j + ω_j × (P − r_j) − v_i − ω_i × (P − r_i)    velocity of the disk's material against the plane's
 ///   x_a · c = 0,  y_a · c = 0,  n · c = 0                3 rows of velocities, m/s

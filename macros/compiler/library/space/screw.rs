@@ -1,6 +1,10 @@
 /// A cylindrical joint in which a turn goes with a displacement (a lead screw).
 ///
 /// ```text
+///       a ──▶  lead    ┌───────┐ b ──▶
+///   ═══════P══╲╲╲╲╲╲╲╲╲╪╲╲╲Q╲╲╲╪╲╲╲╲╲══
+///     i                └───────┘ j
+///
 ///   x_a · d = 0,  y_a · d = 0                  2 rows, m          d = r_Q − r_P
 ///   x_a · z_b = 0,  y_a · z_b = 0              2 rows
 ///   z_a · d − lead · angle / 2π − offset = 0   1 row, m

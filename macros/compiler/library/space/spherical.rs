@@ -1,6 +1,10 @@
 /// Two points, one on each body, stay together; the bodies turn freely about them (a ball joint).
 ///
 /// ```text
+///       i      ╭───       j
+///   ───────────┤ (●)───────────
+///              ╰───  P = Q
+///
 ///   r_P − r_Q = 0                              3 rows, m
 /// ```
 ///

@@ -1,6 +1,11 @@
 /// Two axes stay on one line and the bodies do not turn about it: one slides along the other (a prismatic joint).
 ///
 /// ```text
+///       a ──▶          ┌───────┐ b ──▶   ┌───┐
+///   ═══════P═══════════╪═══Q═══╪══════   │[ ]│
+///     i                └───────┘ j       └───┘
+///          └ displacement ▶┘
+///
 ///   x_a · d = 0,  y_a · d = 0                  2 rows, m          d = r_Q − r_P
 ///   x_a · z_b = 0,  y_a · z_b = 0,  x_a · y_b = 0      3 rows
 ///   displacement = z_a · d

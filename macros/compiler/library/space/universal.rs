@@ -1,6 +1,12 @@
 /// Two points stay together, and an axis of one body stays perpendicular to an axis of the other: the cross of a Hooke's joint.
 ///
 /// ```text
+///           ┌────┬──   a
+///       i   │    ║         j
+///   ════════╡   (o)════════════
+///           │    ║ b
+///           └────┴──   P = Q
+///
 ///   r_P − r_Q = 0                              3 rows, m
 ///   z_a · z_b = 0                              1 row
 ///   angle_a =  atan2(y_a · z_b, x_a · z_b)

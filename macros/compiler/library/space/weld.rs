@@ -1,6 +1,13 @@
 /// Two bodies are one: two points stay together, and two axes with the directions across them.
 ///
 /// ```text
+///         z_a = z_b
+///             │
+///       i     │     j
+///   ══════════●══════════
+///            ╱ P = Q
+///      x_a = x_b
+///
 ///   r_P − r_Q = 0                              3 rows, m
 ///   y_a · z_b = 0,  z_a · x_b = 0,  x_a · y_b = 0      3 rows
 /// ```

@@ -1,6 +1,10 @@
 /// A torque between two bodies in the plane: a motor, a brake, a load.
 ///
 /// ```text
+///           ╭▶     ◀╮
+///      one  │−T   T │  two
+///   ────────┴──(o)──┴────────
+///
 ///   T on `two`, −T on `one`
 /// ```
 ///

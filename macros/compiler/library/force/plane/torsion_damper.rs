@@ -1,6 +1,12 @@
 /// A torsion damper between two bodies in the plane: viscous friction in a hinge.
 ///
 /// ```text
+///        ╱ two
+///       ╱────╮
+///      ╱   │ ┴ │ damping
+///     ╱    └─┬─┘
+///   (o)──────┴───── one
+///
 ///   T = −damping (φ̇_two − φ̇_one) on `two`, −T on `one`
 /// ```
 ///

@@ -1,6 +1,12 @@
 /// A torsion spring between two bodies in the plane.
 ///
 /// ```text
+///         ╱ two
+///        ╱
+///       ╱ ) φ_two − φ_one
+///    (@)──────────── one
+///   stiffness
+///
 ///   T = −stiffness (φ_two − φ_one − rest) on `two`, −T on `one`
 /// ```
 ///

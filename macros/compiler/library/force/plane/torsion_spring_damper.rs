@@ -1,6 +1,13 @@
 /// A torsion spring and a torsion damper in parallel between two bodies in the plane.
 ///
 /// ```text
+///         ╱ two
+///        ╱────╮
+///       ╱   │ ┴ │ damping
+///      ╱    └─┬─┘
+///    (@)──────┴───── one
+///   stiffness
+///
 ///   T = −stiffness (φ_two − φ_one − rest) − damping (φ̇_two − φ̇_one) on `two`, −T on `one`
 /// ```
 ///

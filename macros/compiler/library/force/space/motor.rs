@@ -1,6 +1,10 @@
 /// A torque between two bodies in space, about an axis of the first: a motor, a brake, a load.
 ///
 /// ```text
+///      a ──▶  ┌───────┐      ╭─
+///   ══════════╡       ╞══════╪══════ b
+///             └───────┘      ╰─▶ T
+///
 ///   T z_a on the body of `b`, −T z_a on the body of `a`
 /// ```
 ///

@@ -1,6 +1,10 @@
 /// A torsion damper in space, about a common axis of two bodies: viscous friction in a hinge.
 ///
 /// ```text
+///      a ──▶      ┌─────      ╭─  b ──▶
+///   ══════════════╡  ╞════════╪═════════
+///                 └─────      ╰─▶ θ̇
+///
 ///   T = −damping θ̇, T z_a on the body of `b`, −T z_a on the body of `a`      θ̇: rate of b against a about z_a
 /// ```
 ///

@@ -1,6 +1,10 @@
 /// A torsion spring in space, about a common axis of two bodies.
 ///
 /// ```text
+///      a ──▶                ╭─  b ──▶
+///   ══════════╡╱╲╱╲╱╲╱╲╞════╪═════════
+///                           ╰─▶ θ
+///
 ///   T = −stiffness (θ − rest), T z_a on the body of `b`, −T z_a on the body of `a`      θ: angle of b against a about z_a
 /// ```
 ///

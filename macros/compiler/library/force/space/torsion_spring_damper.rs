@@ -1,6 +1,12 @@
 /// A torsion spring and a torsion damper in parallel in space, about a common axis of two bodies.
 ///
 /// ```text
+///      a ──▶  ┌──╱╲╱╲╱╲╱╲──┐    ╭─  b ──▶
+///   ══════════╡            ╞════╪═════════
+///             │   ┌─────   │    ╰─▶ θ
+///             └───┤  ├─────┘
+///                 └─────
+///
 ///   T = −stiffness (θ − rest) − damping θ̇, T z_a on the body of `b`, −T z_a on the body of `a`
 /// ```
 ///
