@@ -349,3 +349,36 @@ fn a_step_that_is_no_number_is_said_to_be_none() {
         assert_eq!(state.q, before);
     }
 }
+
+mechanism! {
+    /// Two pendulums; the second is braked by the speed of the first, and a spring pulls at the difference.
+    mechanism Named {
+        gravity = (0, -9.81m_s2);
+        body one { mass = 1kg;  center = (0m, -1m);  inertia = 0.1kgm2; }
+        body two { mass = 1kg;  center = (0m, -1m);  inertia = 0.1kgm2; }
+        joint a = revolute(ground.position, one.position);
+        joint b = revolute((3m, 0m), two.position);
+        freedom first = one.angle from 0.4rad at 2rad_s;
+        freedom second = two.angle - first from 0.3rad;
+        force brake = { on two: -0.5Nm / 1rad_s * rate(first) - 3Nm * second / 1rad; }
+        output swing = first;
+        output between = second;
+        output speed = rate(first);
+    }
+}
+
+/// The names of freedoms are those of their quantities.
+#[test]
+fn freedoms_are_quantities() {
+    let named = Named::default();
+    let state = named.initial_state().expect("a state");
+    let (one, two) = (state.one(), state.two());
+    assert_eq!(named.swing(&state).value, one.angle);
+    assert_eq!(named.between(&state).value, two.angle - one.angle);
+    assert_eq!(named.speed(&state).value, 2.0);
+    // (m c² + I) φ̈ = −m g c sin φ + M
+    let inertia = 1.1;
+    let torque = -0.5 * 2.0 - 3.0 * 0.3;
+    assert!((inertia * one.angular_acceleration + 9.81 * one.angle.sin()).abs() < 1e-13);
+    assert!((inertia * two.angular_acceleration + 9.81 * two.angle.sin() - torque).abs() < 1e-13);
+}

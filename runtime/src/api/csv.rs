@@ -160,6 +160,52 @@ where
     tabulate(to, states, names, numbers)
 }
 
+/// Writes numbers of one's own: time, and for each state the numbers that the functions beside their names and units give. Loads, inputs and
+/// energies stand in a table this way.
+///
+/// ```
+/// use reuleaux::{csv, mechanism};
+///
+/// mechanism! {
+///     mechanism Arm {
+///         gravity = (0, -9.81m_s2);
+///         body arm { mass = 2kg;  center = (0.5m, 0m);  inertia = 0.2kgm2; }
+///         joint pivot = revolute(ground.position, arm.position);
+///         drive motor = drive_angle(arm, 2rad_s * t);
+///     }
+/// }
+///
+/// let arm = Arm::default();
+/// let mut table = Vec::new();
+/// csv::write_columns(
+///     &mut table,
+///     arm.sweep([0.0, 0.1]),
+///     &[
+///         ("torque", "N m", &|state: &ArmState| arm.loads(state).motor().effort),
+///         ("bearing", "N", &|state: &ArmState| arm.loads(state).pivot().force.norm()),
+///     ],
+/// )?;
+/// assert!(table.starts_with("t (s),torque (N m),bearing (N)\n0.0,9.81,".as_bytes()));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// The failure with which the motion ends, or that of `to`.
+#[allow(clippy::type_complexity)] // Name, unit and function.
+pub fn write_columns<W, T, S, E, const N: usize>(
+    to: W,
+    states: impl IntoIterator<Item = Result<S, E>>,
+    columns: &[(&str, &str, &dyn Fn(&S) -> T)],
+) -> Result<(), Unwritten<E>>
+where
+    W: Write,
+    S: Deref<Target = State<T, N>>,
+    T: Float,
+{
+    let names = |table: &mut Table<W>| columns.iter().try_for_each(|(name, unit, _)| table.name(format_args!("{name}"), unit));
+    tabulate(to, states, names, |table, state| columns.iter().try_for_each(|(_, _, of)| table.number(of(state))))
+}
+
 /// Writes a table: a line of names, and a line of numbers for each state.
 fn tabulate<W, T, S, E, const N: usize>(
     to: W,
@@ -193,7 +239,7 @@ struct Table<W> {
 }
 
 impl<W: Write> Table<W> {
-    /// A name with its unit. Neither has a comma or a quotation mark.
+    /// A name with its unit.
     fn name(&mut self, name: fmt::Arguments<'_>, unit: &str) -> io::Result<()> {
         self.cell(format_args!("{name} ({unit})"))
     }

@@ -66,15 +66,7 @@ impl Emitter<'_> {
         let components = if first.derivatives == 3 { 2 * components } else { components };
         let places: Vec<usize> = (0..method.members.len()).map(|member| slice.held.len() - components + width * member).collect();
         let (value, kind) = (array_at(&places, &method.sizes, value), array_type(self.output_type(first), &method.sizes));
-        let outputs: Vec<(String, [String; 4])> =
-            method.members.iter().flat_map(|member| docs::components(self.system, &self.model.outputs[*member])).collect();
-        let components = (0..components).map(|component| {
-            let name = outputs.get(component % outputs.len()).map_or(word.as_str(), |output| output.0.as_str());
-            let (whole, part) = name.rsplit_once('.').unwrap_or((name, "value"));
-            let part = if component < outputs.len() { part.to_owned() } else { format!("{part} rate") };
-            quote!(::reuleaux::Coordinate::length(#whole, #part))
-        });
-        let outputs = outputs.iter().cloned().map(output_name);
+        let (outputs, components) = self.components_of(method, components);
         let upstream = upstream(&slice.solution.solving, slice.held.len(), &body);
         let [n, whole, order] = [slice.held.len(), self.system.width(), number_of_slice].map(number);
         let held = slice.held.iter().map(|unknown| number(*unknown));
@@ -108,6 +100,21 @@ impl Emitter<'_> {
                 fn output_of(&self, mechanism: &#mechanism<T>) -> Self::Value { mechanism.#in_whole(self) }
             }
         }
+    }
+
+    /// Names and units of the components of an output, and the entries of the state that hold them: the components, and if they are twice as many
+    /// their rates.
+    fn components_of(&self, method: &Method, entries: usize) -> (Vec<TokenStream>, Vec<TokenStream>) {
+        let outputs: Vec<(String, [String; 4])> =
+            method.members.iter().flat_map(|member| docs::components(self.system, &self.model.outputs[*member])).collect();
+        let entry = |entry: usize| {
+            let name = outputs.get(entry % outputs.len()).map_or("", |output| output.0.as_str());
+            let (whole, part) = name.rsplit_once('.').unwrap_or((name, "value"));
+            let part = if entry < outputs.len() { part.to_owned() } else { format!("{part} rate") };
+            quote!(::reuleaux::Coordinate::length(#whole, #part))
+        };
+        let entries = (0..entries).map(entry).collect();
+        (outputs.into_iter().map(output_name).collect(), entries)
     }
 
     /// Names, start and size of the moving part: those of the mechanism, as far as they belong to it.

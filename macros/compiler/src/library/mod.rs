@@ -198,7 +198,6 @@ pub(crate) fn find(name: &str, ambient: Ambient) -> Option<Rc<Definition>> {
 pub(crate) fn described(kind: &str) -> String {
     let is_force = [Ambient::Plane, Ambient::Space].into_iter().any(|ambient| forces(ambient).any(|known| known == kind));
     match kind {
-        "freedom" => "a `freedom`".to_owned(),
         "energy" => "an `energy`".to_owned(),
         "equation" => "a joint with an equation".to_owned(),
         _ if is_force => format!("a `{kind}` force"),

@@ -38,14 +38,8 @@ impl Elaborator<'_> {
         }
         if !is_bound && !self.is_library_function(name) {
             let near = self.similar_function(name, scope);
-            return self.refuse(
-                name,
-                NameFact::UnknownFunction {
-                    name: name.to_string(),
-                    near,
-                    is_force: library::find(&name.to_string(), self.names.ambient).map(|found| found.is_force),
-                },
-            );
+            let is_force = library::find(&name.to_string(), self.names.ambient).map(|found| found.is_force);
+            return self.refuse(name, NameFact::UnknownFunction { name: name.to_string(), near, is_force });
         }
         let callee = ast::Expression { kind: ExpressionKind::Path(path.clone()), range: path.range, depth: 1 };
         match self.value(&callee, scope)? {

@@ -83,7 +83,7 @@ impl Elaborator<'_> {
         Instance { place: kind.into(), definition: format!("`{}`", definition.name), quantities }
     }
 
-    fn joint_scope(&self, joint: &ast::JointItem, context: &Context) -> Scope {
+    pub(super) fn joint_scope(&self, joint: &ast::JointItem, context: &Context) -> Scope {
         let timeless = (!joint.is_drive).then(|| Timeless::Joint(joint.name.to_string()));
         Scope { timeless, ..Scope::of(context) }
     }

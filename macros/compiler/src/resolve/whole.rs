@@ -246,7 +246,7 @@ impl Elaborator<'_> {
             // A definition renamed by `use` keeps its own kind.
             ast::JointBody::Of { kind, .. } => Some(Value::Joint { kind: self.definition(kind)?.name.to_string(), arguments }),
             ast::JointBody::Equations(_) => Some(Value::Joint { kind: "equation".into(), arguments }),
-            ast::JointBody::Freedom(_) => Some(Value::Joint { kind: "freedom".into(), arguments }),
+            ast::JointBody::Freedom(freedom) => self.value(&freedom.value, &self.joint_scope(joint, context)),
             ast::JointBody::Energy(_) => Some(Value::Joint { kind: "energy".into(), arguments }),
             // `joint_rows` refuses it.
             ast::JointBody::Value(_) => None,

@@ -23,7 +23,7 @@ crate::refusals! {
     item own_function_is_mistyped: "output b = «lif»(crank.angle);" => "no function is called `lif`\nhelp: did you mean `lift`?";
     item constraint_as_a_function: "output b = «revolute»(ground.O, crank.O);" => "`revolute` is a constraint, not a function\nhelp: write `joint name = revolute(…);`";
     item number_as_a_function: "output b = «length»(2);" => "expected a function, found a number\nhelp: a product is written with `*`";
-    item unit_is_mistyped: "param a: Length = «100furlong»;" => "no unit is called `furlong`\nnote: there are `m`, `cm`, `mm`, `um`, `km`, `in`, `ft`, `rad`, `mrad`, `deg`, `turn`, `s`, `ms`, `us`, `min`, `h`, `kg`, `g`, `rpm`, `rad_s`, `deg_s`, `rad_s2`, `deg_s2`, `m_s`, `mm_s`, `m_s2`, `mm_s2`, `mm2`, `m2`, `N`, `kN`, `Nm`, `Nmm`, `J`, `mJ`, `kJ`, `kgm2`, `N_m`, `N_mm`, `kN_m`, `Ns_m`, `Nm_rad`, `Nms`, `Nms_rad`, `W`, `kW`, `Pa`, `kPa`, `bar` and `MPa`";
+    item unit_is_mistyped: "param a: Length = «100furlong»;" => "no unit is called `furlong`\nnote: there are `m`, `mm`, `in`, `rad`, `deg`, `s`, `kg`, `N`, `Nm`, `rpm`, `rad_s`, `m_s`, `kgm2`, `N_m`, `W`, `Pa`, and 54 more: see \"Units\" on the page of `mechanism!`";
     item unit_with_its_power_apart: "body b { inertia = «3kgm»^2; }" => "no unit is called `kgm`\nhelp: did you mean `3kgm2`?";
     item length_of_a_vector_by_another_word: "output far = «magnitude»(crank.A - ground.position);" => "no function is called `magnitude`\nhelp: the length of a vector is `norm(v)`";
     item distance_as_a_function: "output far = «distance»(crank.A, ground.position);" => "`distance` is a constraint, not a function\nhelp: the distance of two points is `norm(Q - P)`";

@@ -6,6 +6,9 @@ use crate::diag::{Home, NameFact, usual_dimension};
 use crate::quantity::{Dim, Role};
 use std::fmt::{Display, Formatter, Result};
 
+/// The units that are named where no unit is near.
+const USUAL: [&str; 16] = ["m", "mm", "in", "rad", "deg", "s", "kg", "N", "Nm", "rpm", "rad_s", "m_s", "kgm2", "N_m", "W", "Pa"];
+
 impl Display for NameFact {
     fn fmt(&self, f: &mut Formatter) -> Result {
         match self {
@@ -155,7 +158,9 @@ impl Display for NameFact {
                 }
                 write!(f, "no unit is called `{}`{}", shortened(name), did_you_mean(&near.as_ref().map(|near| format!("{number}{near}"))))?;
                 if near.is_none() {
-                    write!(f, "\nnote: there are {}", listed(crate::quantity::units()))?;
+                    let rest = crate::quantity::units().count() - USUAL.len();
+                    let usual: String = USUAL.iter().map(|unit| format!("`{unit}`, ")).collect();
+                    write!(f, "\nnote: there are {usual}and {rest} more: see \"Units\" on the page of `mechanism!`")?;
                 }
                 Ok(())
             }
