@@ -133,9 +133,9 @@ impl<T: Scalar, const M: usize, const I: usize> Balance<T, M, I> {
 pub struct Energy<T> {
     /// Kinetic energy, in J.
     pub kinetic: T,
-    /// Potential energy of gravity and of each `energy` declared, in J.
+    /// Potential energy of gravity, of each `energy` declared, and of forces with a `potential`, as the springs of the library are, in J.
     pub potential: T,
-    /// Power of the forces declared with `force`, in W, and ∂V/∂t of a potential energy V that depends on time or on inputs. That of
-    /// gravity is in the potential energy, that of drives in the loads.
+    /// Power of the forces declared with `force`, less what is stored in their potentials, in W, and ∂V/∂t of a potential energy V that depends
+    /// on time or on inputs. That of gravity is in the potential energy, that of drives in the loads.
     pub power: T,
 }

@@ -15,6 +15,7 @@
 force constant_force(P: Point, Q: Point, force: Force) {
     require P.body != Q.body: "the two ends of a spring lie on the same body";
     let line = unit(Q - P);
+    potential: force * norm(Q - P);
     at P: force * line;
     at Q: -force * line;
 }

@@ -17,6 +17,7 @@ force spring(P: Point, Q: Point, stiffness: Stiffness, rest: Length = 0mm) {
     require P.body != Q.body: "the two ends of a spring lie on the same body";
     let line = Q - P;
     let force = stiffness * (norm(line) - rest);
+    potential: 0.5 * stiffness * (norm(line) - rest)^2;
     at P: force * unit(line);
     at Q: -force * unit(line);
 }

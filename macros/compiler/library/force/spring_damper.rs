@@ -18,6 +18,7 @@ force spring_damper(P: Point, Q: Point, stiffness: Stiffness, rest: Length, damp
     require P.body != Q.body: "the two ends of a spring lie on the same body";
     let line = Q - P;
     let force = stiffness * (norm(line) - rest) + damping * rate(norm(line));
+    potential: 0.5 * stiffness * (norm(line) - rest)^2;
     at P: force * unit(line);
     at Q: -force * unit(line);
 }

@@ -72,7 +72,7 @@ impl Evidence {
             JointBody::Equations(statements) => statements.iter().for_each(|statement| match statement {
                 Statement::Apply(applied) => self.vector(&applied.value),
                 Statement::Equation(lhs, rhs) => [lhs, rhs].into_iter().for_each(|side| self.vector(side)),
-                Statement::Let(_) | Statement::Require(_) | Statement::Add(_) => {}
+                Statement::Let(_) | Statement::Require(_) | Statement::Potential(_) | Statement::Add(_) => {}
             }),
             JointBody::Freedom(_) | JointBody::Energy(_) | JointBody::Value(_) => {}
         }

@@ -52,6 +52,7 @@ fn of_joint(body: &JointBody, found: &mut Vec<Warning>) {
             Statement::Let(binding) => of(&binding.value, found),
             Statement::Equation(one, two) => [one, two].into_iter().for_each(|side| of(side, found)),
             Statement::Apply(applied) => of(&applied.value, found),
+            Statement::Potential(energy) => of(energy, found),
             Statement::Require(_) | Statement::Add(_) => {}
         }),
         JointBody::Freedom(freedom) => {

@@ -101,8 +101,8 @@ pub struct Model {
     pub forces: Vec<Force>,
     /// Declared forces.
     pub declared_forces: Vec<DeclaredForce>,
-    /// Potential energies; their forces are minus their gradients.
-    pub energies: Vec<Expr>,
+    /// Potential energies, declared and of forces.
+    pub energies: Vec<Energy>,
     /// Acceleration of free fall, by components in ground.
     pub gravity: Option<Vec<Expr>>,
     /// Named outputs, in the order declared.
@@ -219,6 +219,15 @@ pub struct DeclaredForce {
     pub name: Name,
     /// It can be computed alone: declared as `slice force`.
     pub is_slice: bool,
+}
+
+/// A potential energy.
+#[derive(Clone, Copy, Debug)]
+pub struct Energy {
+    /// Its value.
+    pub value: Expr,
+    /// Its rate if a declared force has it; `None` if its force is minus its gradient.
+    pub rate: Option<Expr>,
 }
 
 /// A force at a point of a body, or a torque on it.

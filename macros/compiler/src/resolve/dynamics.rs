@@ -7,7 +7,7 @@
 
 use super::elaborate::Elaborator;
 use super::register::Register;
-use super::{DeclaredForce, Force};
+use super::{DeclaredForce, Energy, Force};
 use crate::diag::{EquationFact, MotionFact, ValueFact};
 use crate::expr::{Expr, Leaf};
 use crate::names::{FrameId, Scope, Value};
@@ -49,23 +49,21 @@ impl Elaborator<'_> {
         (declared, forces)
     }
 
-    /// A potential energy: a function of positions, whose force is its derivative.
-    pub(super) fn energy(&mut self, value: &ast::Expression, scope: &Scope) -> Option<()> {
+    /// A potential energy: a function of positions, whose force is its derivative, or that of a force with a `potential`.
+    pub(super) fn energy(&mut self, value: &ast::Expression, is_of_force: bool, scope: &Scope) -> Option<()> {
         let known = self.diag.refusals().len();
         let energy = self.scalar_of(value, Dim::TORQUE, scope).or_else(|| self.diag.of_energy(known))?.expr;
-        self.energies.push(energy);
+        let rate = is_of_force.then(|| self.rate_of(energy));
+        self.energies.push(Energy { value: energy, rate });
         if self.has_speeds(energy) {
             return self.refuse(value.range, ValueFact::EnergyOfVelocities);
         }
         let moves = self.arena.leaves(energy).into_iter().any(Leaf::moves);
-        if moves { Some(()) } else { self.refuse(value.range, EquationFact::EnergyOfNothing) }
+        if moves || is_of_force { Some(()) } else { self.refuse(value.range, EquationFact::EnergyOfNothing) }
     }
 
     /// `at point: force;` or `on body: torque;`
     pub(super) fn apply_force(&mut self, applied: &ast::Applied, scope: &Scope) -> Option<()> {
-        if self.applied.is_none() {
-            return self.refuse(applied.target.range, EquationFact::ForceInJoint);
-        }
         let (frame, point) = self.target(applied, scope)?;
         let parts = self.applied_parts(applied, frame, scope)?;
         if parts.iter().any(|part| self.arena.is_never_finite(*part)) {

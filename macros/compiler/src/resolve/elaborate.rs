@@ -2,7 +2,7 @@
 
 use super::space::Notes;
 use super::statement::FixedValue;
-use super::{Components, Force, Function as Numbered, Mass, Name, Requirement};
+use super::{Components, Energy, Force, Function as Numbered, Mass, Name, Requirement};
 use crate::diag::{
     ArrayFact, Diag, EquationFact, Fact, GrammarFact, Kind, Known, NameFact, Range, ValueFact, Wanted, nearest, nearest_unit,
 };
@@ -48,7 +48,7 @@ pub(crate) struct Elaborator<'a> {
     /// Masses that joints and forces add, with their bodies.
     pub(super) added: Vec<(usize, Mass)>,
     /// Potential energies.
-    pub(super) energies: Vec<Expr>,
+    pub(super) energies: Vec<Energy>,
     /// Relations of joints in space.
     pub(super) space: Notes,
     /// Lengths that are written without a unit, and the longest one with a unit.

@@ -32,7 +32,7 @@ impl Elaborator<'_> {
             }
             JointBody::Energy(value) => {
                 let scope = self.joint_scope(joint, context);
-                self.energy(value, &scope).map(|()| Vec::new())
+                self.energy(value, false, &scope).map(|()| Vec::new())
             }
             JointBody::Value(value) => {
                 let scope = self.joint_scope(joint, context);

@@ -33,6 +33,6 @@ pub(crate) use definition::{check as check_definition, check_names};
 pub(crate) use whole::{Outline, outline, resolve};
 
 use crate::model::{
-    Body, BodyCoordinate, Bounds, Component, Components, DeclaredForce, Field, Force, Freedom, Function, Joint, Layout, Mass, Method,
-    Model, Name, Of, Output, Parameter, Part, Requirement, Residual, Times, tabulated,
+    Body, BodyCoordinate, Bounds, Component, Components, DeclaredForce, Energy, Field, Force, Freedom, Function, Joint, Layout, Mass,
+    Method, Model, Name, Of, Output, Parameter, Part, Requirement, Residual, Times, tabulated,
 };

@@ -46,7 +46,7 @@ impl Elaborator<'_> {
     }
 
     /// Total derivative along the motion.
-    fn rate_of(&mut self, expr: Expr) -> Expr {
+    pub(super) fn rate_of(&mut self, expr: Expr) -> Expr {
         let frames = &self.names.frames;
         let count = frames.last().map_or(0, |last| last.first + last.coordinates.len());
         let seed = match self.names.ambient {

@@ -63,7 +63,11 @@ impl Elaborator<'_> {
                         None => complete = false,
                     }
                 }
+                Statement::Apply(ast::Applied { target: at, .. }) | Statement::Potential(at) if self.applied.is_none() => {
+                    return self.refuse(at.range, EquationFact::ForceInJoint);
+                }
                 Statement::Apply(applied) => complete &= self.apply_force(applied, &scope).is_some(),
+                Statement::Potential(energy) => complete &= self.energy(energy, true, &scope).is_some(),
                 Statement::Add(added) => complete &= self.add_mass(added, &scope).is_some(),
                 Statement::Require(requirement) => complete &= self.requirement(requirement, &scope, joint, places).is_some(),
             }

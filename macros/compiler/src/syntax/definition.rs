@@ -213,7 +213,7 @@ fn joint_kind(input: ParseStream) -> Parsed<FormalKind> {
     Ok(FormalKind::Joint(kind))
 }
 
-/// `let name = value;`, `require lhs != rhs: "why";`, `at point: force;`, `add mass at point: mass;` or `lhs == rhs;`
+/// `let name = value;`, `require lhs != rhs: "why";`, `at point: force;`, `potential: energy;`, `add mass at point: mass;` or `lhs == rhs;`
 pub(super) fn statement(input: ParseStream) -> Parsed<Statement> {
     docs(input)?;
     if input.peek(Token![let]) {
@@ -233,6 +233,13 @@ pub(super) fn statement(input: ParseStream) -> Parsed<Statement> {
         && !input.peek2(Token![==])
     {
         return applied(input, word == "on").map(Statement::Apply);
+    }
+    if keyword(input).is_some_and(|word| word == "potential") && input.peek2(Token![:]) {
+        input.parse::<Ident>()?;
+        input.parse::<Token![:]>()?;
+        let energy = expression(input)?;
+        semicolon(input)?;
+        return Ok(Statement::Potential(energy));
     }
     if keyword(input).is_some_and(|word| word == "add") && input.peek2(syn::Ident::peek_any) {
         return added(input).map(Statement::Add);

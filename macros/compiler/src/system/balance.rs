@@ -2,12 +2,12 @@
 //!
 //! ```text
 //! f_k = Σ ∂v/∂u_k · F + ∂ω/∂u_k · T      F, T: M u̇ − Q of a body, about its origin
-//! V   = Σ V_i − Σ m g · r_C               P = Σ F · v_P + T · ω of the forces declared, + ∂V/∂t
+//! V   = Σ V_i + Σ U_j − Σ m g · r_C       P = Σ F · v_P + T · ω of the forces declared, + ∂V_i/∂t + dU_j/dt      U: potential of a force
 //! ```
 
 use super::dynamics;
 use crate::expr::{Arena, Expr, Leaf, cross, derivative};
-use crate::model::{Force, Model, declared_coordinate};
+use crate::model::{Energy, Force, Model, declared_coordinate};
 use crate::quantity::Ambient;
 
 /// Forces by speed, and energies.
@@ -28,8 +28,8 @@ impl Balance {
         let zero = arena.integer(0);
         let each = if model.ambient == Ambient::Space { 6 } else { 3 };
         let forces = dynamics::unbalanced(model, arena, spins).unwrap_or_else(|| vec![zero; each * model.bodies.len()]);
-        let potential = potential(model, arena);
-        Balance { forces, potential, power: power(model, arena, potential) }
+        let [potential, power] = energies(model, arena);
+        Balance { forces, potential, power }
     }
 
     /// Every expression, as `of` writes it.
@@ -66,11 +66,24 @@ impl Balance {
     }
 }
 
+/// V and P.
+pub(super) fn energies(model: &Model, arena: &mut Arena) -> [Expr; 2] {
+    let mut potential = potential(model, arena);
+    let mut power = power(model, arena, potential);
+    for Energy { value, rate } in &model.energies {
+        if let Some(rate) = rate {
+            potential = arena.add(potential, *value);
+            power = arena.add(power, *rate);
+        }
+    }
+    [potential, power]
+}
+
 /// Σ V_i − Σ m g · r_C
-pub(super) fn potential(model: &Model, arena: &mut Arena) -> Expr {
+fn potential(model: &Model, arena: &mut Arena) -> Expr {
     let mut sum = arena.integer(0);
-    for energy in &model.energies {
-        sum = arena.add(sum, *energy);
+    for energy in model.energies.iter().filter(|energy| energy.rate.is_none()) {
+        sum = arena.add(sum, energy.value);
     }
     let Some(gravity) = &model.gravity else { return sum };
     let zero = arena.integer(0);
@@ -91,7 +104,7 @@ pub(super) fn potential(model: &Model, arena: &mut Arena) -> Expr {
 }
 
 /// Σ F · v_P + T · ω + ∂V/∂t
-pub(super) fn power(model: &Model, arena: &mut Arena, potential: Expr) -> Expr {
+fn power(model: &Model, arena: &mut Arena, potential: Expr) -> Expr {
     let of_forces = model.forces.iter().fold(arena.integer(0), |sum, force| add_power(model, arena, sum, force));
     // Inputs are functions of time.
     let change = derivative(arena, potential, Leaf::Time);

@@ -30,8 +30,8 @@ pub(super) fn unbalanced(model: &Model, arena: &mut Arena, spins: &[Option<u32>]
         },
     });
     let mut work: Vec<Expr> = work.collect();
-    for energy in &model.energies {
-        add_slopes(model, arena, *energy, (spins, &mut work));
+    for energy in model.energies.iter().filter(|energy| energy.rate.is_none()) {
+        add_slopes(model, arena, energy.value, (spins, &mut work));
     }
     Some(work)
 }

@@ -260,8 +260,9 @@ fn slope(model: &Model, arena: &mut Arena, equation: &Equation) -> Option<Expr> 
 }
 
 fn energies(model: &Model, arena: &mut Arena) -> [Expr; 3] {
-    let (kinetic, potential) = (dynamics::kinetic(model, arena), balance::potential(model, arena));
-    [kinetic, potential, balance::power(model, arena, potential)]
+    let kinetic = dynamics::kinetic(model, arena);
+    let [potential, power] = balance::energies(model, arena);
+    [kinetic, potential, power]
 }
 
 fn arms(model: &Model, arena: &mut Arena) -> Vec<Option<(usize, Vec<Expr>)>> {

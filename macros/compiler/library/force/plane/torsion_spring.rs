@@ -16,6 +16,7 @@
 force torsion_spring(one: Body, two: Body, stiffness: Torque / Angle, rest: Angle) in plane {
     require one != two: "a torsion spring acts between two bodies";
     let torque = stiffness * (two.angle - one.angle - rest);
+    potential: 0.5 * stiffness * (two.angle - one.angle - rest)^2 / 1rad;
     on two: -torque;
     on one: torque;
 }

@@ -24,6 +24,7 @@ force torsion_spring_damper(
     require one != two: "a torsion spring acts between two bodies";
     let turning = two.angular_velocity - one.angular_velocity;
     let torque = stiffness * (two.angle - one.angle - rest) + damping * turning;
+    potential: 0.5 * stiffness * (two.angle - one.angle - rest)^2 / 1rad;
     on two: -torque;
     on one: torque;
 }

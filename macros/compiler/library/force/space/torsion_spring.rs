@@ -14,6 +14,7 @@
 force torsion_spring(a: Axis, b: Axis, stiffness: Torque / Angle, rest: Angle) in space {
     require a.body != b.body: "a torsion spring acts between two bodies";
     let line = stiffness * (joint_angle(a, b) - rest) * z_axis(a);
+    potential: 0.5 * stiffness * (joint_angle(a, b) - rest)^2 / 1rad;
     on b.body: -line;
     on a.body: line;
 }

@@ -24,6 +24,7 @@ force torsion_spring_damper(
     require a.body != b.body: "a torsion spring acts between two bodies";
     let turning = dot(b.body.angular_velocity - a.body.angular_velocity, z_axis(a));
     let line = (stiffness * (joint_angle(a, b) - rest) + damping * turning) * z_axis(a);
+    potential: 0.5 * stiffness * (joint_angle(a, b) - rest)^2 / 1rad;
     on b.body: -line;
     on a.body: line;
 }

@@ -98,6 +98,8 @@ pub enum Statement {
     Require(Condition),
     /// `at point: force;` or `on body: torque;`
     Apply(Applied),
+    /// `potential: energy;`
+    Potential(Expression),
     /// `add mass at point: mass;` or `add inertia on body: inertia;`
     Add(Added),
 }
