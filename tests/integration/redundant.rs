@@ -288,3 +288,52 @@ fn a_place_that_is_zero_is_held() {
         assert!(mechanism.solve(5.0).is_ok());
     }
 }
+
+reuleaux::mechanism! {
+    /// A parallelogram of three cranks that is lifted at its coupler, near the top.
+    mechanism Lift {
+        ground { point A = (0m, 0m);  point B = (2m, 0m);  point C = (1m, 0m); }
+        body crank { point P = (500mm, 0mm);  start angle = 60deg; }
+        body rod { point Q = (2m, 0m);  point R = (1m, 0m); }
+        body rocker { point P = (500mm, 0mm);  start angle = 60deg; }
+        body third { point P = (500mm, 0mm);  start angle = 60deg; }
+        joint a = revolute(ground.A, crank.position);
+        joint b = revolute(ground.B, rocker.position);
+        joint c = revolute(crank.P, rod.position);
+        joint d = revolute(rod.Q, rocker.P);
+        joint e = revolute(ground.C, third.position);
+        redundant joint f = revolute(rod.R, third.P);
+        drive lift = drive_y(rod.position, 433.0127mm + 1mm_s * t);
+    }
+}
+
+reuleaux::mechanism! {
+    /// A door whose edge is driven to 10 mm before its end, and a body beside it.
+    mechanism Beside {
+        body door { point tip = (300mm, 0mm);  start angle = 45deg; }
+        joint h = revolute((0m, 0m), door.position);
+        drive d = drive_y(door.tip, 290mm + 1mm_s * t);
+        ground { point H = (1m, 0m); }
+        body other { point A = (100mm, 0mm);  point B = (0mm, 200mm); }
+        joint k = revolute(ground.H, other.position);
+        redundant joint r = distance(other.A, ground.H, 100mm);
+        drive e = drive_x(other.B, 1.02m);
+    }
+}
+
+/// sin φ = y / 500 mm, and sin φ = y / 300 mm; the other body turns to where 200 mm sin φ = −20 mm.
+#[test]
+fn redundant_joints_are_accepted_near_the_end_of_a_drive() {
+    let lift = Lift::default();
+    for t in [0.0, 1.0, 60.0] {
+        let state = lift.solve(t).expect("a state");
+        let wanted = ((0.433_012_7 + 1e-3 * t) / 0.5_f64).asin();
+        assert!((state.crank().angle - wanted).abs() < 1e-13 && (state.third().angle - wanted).abs() < 1e-13);
+    }
+    let beside = Beside::default();
+    for t in [0.0, 1.0, 9.0] {
+        let state = beside.solve(t).expect("a state");
+        assert!((state.door().angle - ((0.29 + 1e-3 * t) / 0.3_f64).asin()).abs() < 1e-13);
+        assert!((state.other().angle.sin() + 0.1).abs() < 1e-14);
+    }
+}

@@ -16,6 +16,9 @@ use crate::system::Equation;
 /// half a turn.
 const WAYS: [f64; 6] = [0.05, 0.35, 0.8, 1.4, 2.2, 3.0];
 
+/// Parts of the first distance: the end of the range may be near. Shorter ways would not show equations that hold to first order only.
+const PARTS: &[f64] = &[1.0, 1.0 / 8.0, 1.0 / 64.0];
+
 /// Number of distances used for a large system.
 const FEW: usize = 3;
 
@@ -44,7 +47,7 @@ pub(crate) struct Samples {
     pub(crate) poses: Vec<Pose>,
     /// True if some pose differs from the start.
     pub(crate) moves: bool,
-    /// True if all equations can keep holding while the drives move.
+    /// True if all equations can keep holding while the drives move, forwards or backwards.
     pub(crate) holds: bool,
 }
 
@@ -169,19 +172,20 @@ impl Numeric<'_> {
         let pace = self.pace(subsystems, start);
         let unit = if pace > 0.0 { 1.0 / pace } else { WITHOUT_RATE };
         let ways = if self.system.coordinates.len() > SMALL { &WAYS[..FEW] } else { &WAYS[..] };
+        samples.holds = false;
         for side in [1.0, -1.0] {
             let mut here = begin.clone();
             for (number, way) in ways.iter().enumerate() {
-                let time = side * way * unit;
-                match self.settled(subsystems, time, here.q, &leaves_out) {
-                    Some(q) => here = Pose { time, q },
-                    // A mechanism may reach the end of its range, but not within the first step.
-                    None => {
-                        samples.holds &= number > 0;
-                        break;
-                    }
-                }
-                self.add(&mut samples, here.clone());
+                // A mechanism may reach the end of its range, on one side as soon as it starts.
+                let parts = if number == 0 { PARTS } else { &PARTS[..1] };
+                let found = parts.iter().find_map(|part| {
+                    let time = side * way * part * unit;
+                    Some(Pose { time, q: self.settled(subsystems, time, here.q.clone(), &leaves_out)? })
+                });
+                let Some(pose) = found else { break };
+                samples.holds = true;
+                self.add(&mut samples, pose.clone());
+                here = pose;
             }
         }
         samples
