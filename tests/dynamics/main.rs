@@ -11,6 +11,7 @@ mod flat;
 mod forces;
 mod gears;
 mod integrated;
+mod jumps;
 mod kept;
 mod masses;
 mod plane;

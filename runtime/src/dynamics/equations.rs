@@ -30,6 +30,9 @@ pub trait Dynamics<T: Scalar, const N: usize, const I: usize, const M: usize, co
     /// If there are any: the dimension of each equation at t = 0, as a power of a length.
     const POWERS: [u8; R] = [0; R];
 
+    /// True if an equation has a kink, so that speeds may jump.
+    const MAY_JUMP: bool = false;
+
     /// The mechanism with parameters between the declared defaults (λ = 0) and these (λ = 1); `None` if there are no parameters, or they are the
     /// defaults.
     fn interpolated(&self, _lambda: T) -> Option<Self>

@@ -114,7 +114,7 @@ fn at_beginning<T: Scalar, const N: usize, const I: usize>(
 }
 
 /// A state on the way between two others, by the polynomials of degree five through their positions, speeds and accelerations.
-fn between<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+pub(super) fn between<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     from: &State<T, N>,
     to: &State<T, N>,

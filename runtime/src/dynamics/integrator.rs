@@ -6,6 +6,7 @@ use super::accelerate::lengths;
 use super::equations::Dynamics;
 use super::event::first_event;
 use super::explicit::Explicit;
+use super::jump::no_speed_jumps;
 use super::method::Method;
 use super::places::{largest, picked};
 use super::project::{Reached, refresh};
@@ -203,6 +204,7 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
             let (error, fastest) = error_and_speed;
             if let Ok(Some((mut next, rates))) = tried {
                 keeps_rank::<K, T, S, N, I, M, R>(mechanism, (state, reached.as_ref()), (&next, &there))?;
+                no_speed_jumps(mechanism, state, &next)?;
                 *reached = Some(there);
                 (self.accepted, self.fastest) = (self.accepted + 1, fastest);
                 let grown = wanted * factor::<T, K>(error, 6.0);

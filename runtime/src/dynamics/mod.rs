@@ -12,7 +12,7 @@
 //!    `checks`: whether redundant equations hold as well.
 //! 5. `method`: how a step is tried, `explicit` with order 8 (`tableau`), or `stiff` with order 4 by linear equations.
 //!    `step`: its end, where a projection lets no joint drift open, and its error; `rank`: whether the equations stay independent on the way.
-//! 6. `integrator`: the sizes of steps; `event`: instants within a step.
+//! 6. `integrator`: the sizes of steps; `event`: instants within a step; `jump`: speeds that jump there.
 //! 7. `sweep`: states at given times, between the ends of steps by `dense`.
 
 mod accelerate;
@@ -23,6 +23,7 @@ mod equations;
 mod event;
 mod explicit;
 mod integrator;
+mod jump;
 mod looks;
 mod method;
 mod partition;

@@ -6,6 +6,7 @@ use super::accelerate::{lengths, redundant, singular};
 use super::checks::holds;
 use super::equations::Dynamics;
 use super::explicit::Explicit;
+use super::jump::no_speed_jumps;
 use super::method::{Method, Trial};
 use super::places::{is_finite, largest, moved, picked};
 use super::project::{Reached, project, refresh};
@@ -31,6 +32,7 @@ where
     let mut reached = Reached::empty();
     let next = land(mechanism, (&start, None), &trial, h, (T::of(COARSEST), T::ZERO), &mut reached)?;
     keeps_rank::<Explicit, T, S, N, I, M, R>(mechanism, (&start, None), (&next, &reached))?;
+    no_speed_jumps(mechanism, &start, &next)?;
     *state = next;
     Ok(())
 }

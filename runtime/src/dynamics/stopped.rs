@@ -53,6 +53,15 @@ pub enum Stopped<T> {
         /// The coordinate.
         coordinate: &'static str,
     },
+    /// The speed of a coordinate jumps, and with it the momentum of a freedom: an infinite force acts.
+    SpeedJumps {
+        /// Time in s.
+        time: T,
+        /// Body or joint of the coordinate whose speed jumps most.
+        owner: &'static str,
+        /// The coordinate.
+        coordinate: &'static str,
+    },
     /// A number is infinite or NaN.
     NotFinite {
         /// Time in s.
@@ -114,6 +123,13 @@ impl<T: Scalar + Display> Display for Stopped<T> {
                 write!(
                     f,
                     "at t = {time} s no mass or inertia resists the motion of `{owner}.{coordinate}`; give a body that moves with it a mass"
+                )
+            }
+            Stopped::SpeedJumps { time, owner, coordinate } => {
+                write!(
+                    f,
+                    "at t = {time} s the speed of `{owner}.{coordinate}` jumps, and what follows from forces is struck by it; take a law or an equation \
+                     without a kink, such as `cycloidal` instead of `linear`"
                 )
             }
             Stopped::NotFinite { time } => write!(f, "at t = {time} s a number is infinite or not a number"),

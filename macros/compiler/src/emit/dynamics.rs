@@ -51,6 +51,11 @@ impl Emitter<'_> {
         let is_length = code.integrated.iter().map(is_length);
         let joints = code.initial_rows.iter().map(|(joint, _)| self.model.joints[*joint].name.to_string());
         let levels = code.initial_rows.iter().map(|(_, [position, speed])| quote!([#position, #speed]));
+        let may_jump = code.has_kinks.then(|| {
+            quote!(
+                const MAY_JUMP: ::core::primitive::bool = true;
+            )
+        });
         let redundant = (code.redundant > 0).then(|| {
             let (count, powers) = (number(code.redundant), code.powers.iter().map(|power| number(usize::from(*power))));
             quote! {
@@ -60,6 +65,7 @@ impl Emitter<'_> {
         });
         quote! {
             #redundant
+            #may_jump
             const INTEGRATED: [::core::primitive::usize; #i] = [#(#integrated),*];
             const IS_LENGTH: [::core::primitive::bool; #i] = [#(#is_length),*];
             const JOINTS: [&'static ::core::primitive::str; #r] = [#(#joints),*];
