@@ -27,7 +27,7 @@
 ///   function h(psi: Angle) -> Length = 20mm + 8mm * cycloidal(wrap(90deg - psi) / 120deg);
 /// ```
 ///
-/// Degenerate case: where h + h'' ≤ 0 the outline is not convex and the face would cut into it.
+/// Degenerate case: where h + h'' ≤ 0 the outline is not convex and the face would cut into it, of which the compiler warns.
 ///
 /// Reference: Norton, Cam Design and Manufacturing Handbook, chapter 7.
 constraint cam_flat(O: Point, F: Point, n: Axis, h: Function(Angle) -> Length) {

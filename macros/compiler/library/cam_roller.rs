@@ -30,7 +30,7 @@
 /// ```
 ///
 /// Degenerate case: where the pitch curve's radius of curvature falls below ρ the surface is
-/// undercut; the motion of the follower is still the one given here.
+/// undercut, of which the compiler warns; the motion of the follower is still the one given here.
 ///
 /// Reference: Norton, Cam Design and Manufacturing Handbook, chapter 7.
 constraint cam_roller(O: Point, C: Point, roller: Length, R: Function(Angle) -> Length) {

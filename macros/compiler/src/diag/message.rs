@@ -107,6 +107,20 @@ impl fmt::Display for Doubt {
                     }
                 }
             }
+            Doubt::Undercut { joint, angle, radius, roller: Some(roller) } => {
+                write!(
+                    f,
+                    "the cam of `{joint}` is undercut at ψ = {angle}: its pitch curve has a radius of {radius} there, the roller one of {roller}"
+                )?;
+                write!(f, "\nhelp: take a larger base circle, a smaller roller or a longer rise")
+            }
+            Doubt::Undercut { joint, angle, radius, roller: None } => {
+                write!(
+                    f,
+                    "the cam of `{joint}` is not convex at ψ = {angle}, and its face would cut into it: the radius of the outline is {radius} there"
+                )?;
+                write!(f, "\nhelp: take a larger base circle or a longer rise")
+            }
             Doubt::MotionEnds(fact) => write!(f, "{fact}"),
         }
     }

@@ -63,6 +63,17 @@ pub enum Doubt {
         /// The number as written.
         number: String,
     },
+    /// The surface of a cam cannot be made.
+    Undercut {
+        /// The joint.
+        joint: String,
+        /// Direction in the cam.
+        angle: String,
+        /// Radius of curvature of the pitch curve there, for a flat face of the outline.
+        radius: String,
+        /// Radius of the roller, if there is one.
+        roller: Option<String>,
+    },
     /// The motion ends before it has repeated itself as a whole.
     MotionEnds(Box<Fact>),
 }
@@ -87,6 +98,7 @@ impl Warning {
             Doubt::FarStart { .. } | Doubt::FarOrientation { .. } => "far_start",
             Doubt::BareLength { .. } => "bare_length",
             Doubt::BareAngle { .. } => "bare_angle",
+            Doubt::Undercut { .. } => "undercut",
             Doubt::MotionEnds(_) => "motion_ends",
         };
         let (name, words) = (Ident::new(name, self.range.first), self.doubt.to_string());

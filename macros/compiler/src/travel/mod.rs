@@ -10,11 +10,13 @@
 //! 4. `turn`: if no step succeeds, follows the block along its own curve, which shows the point where it turns back.
 //! 5. `blame`: reports.
 //! 6. `corners`: the same with parameters at the ends of their bounds.
+//! 7. `cams`: whether cams can be made.
 //!
 //! Only observed events are refused: nothing is reported if a step is possible neither on the path nor along the curve, if a Rust function is
 //! needed, or if it would take too many operations.
 
 mod blame;
+mod cams;
 mod chain;
 mod corners;
 mod law;
@@ -50,14 +52,17 @@ pub struct Motion {
     pub remarks: Vec<String>,
     /// An end of travel without a declared range: a shorter motion may be meant.
     pub warning: Option<Warning>,
+    /// Cams that are undercut.
+    pub undercut: Vec<Warning>,
     /// Number of interpreter operations spent.
     pub effort: u64,
 }
 
 /// Follows the motion from the start, over the declared range or until it repeats.
 pub(crate) fn follow(model: &Model, system: &System, structure: &Structure, assembly: &Assembly, diag: &mut Diag) -> Option<Motion> {
+    let undercut = if model.closing == Closing::Deny { cams::undercut(model, system) } else { Vec::new() };
     if !assembly.is_closed || assembly.remark.is_some() || model.following == Following::Off || !model.task.is_solved() {
-        return Some(Motion::default());
+        return Some(Motion { undercut, ..Motion::default() });
     }
     let Travel { reached, end, notes: mut remarks, spent: effort } =
         at_defaults(model, system, |numeric| Travel::new(numeric, structure, assembly));
@@ -71,7 +76,7 @@ pub(crate) fn follow(model: &Model, system: &System, structure: &Structure, asse
         remarks.insert(0, fact.to_string());
         warning = (model.closing == Closing::Deny).then(|| Warning { doubt: Doubt::MotionEnds(Box::new(fact.into())), range });
     }
-    Some(Motion { reached, remarks, warning, effort })
+    Some(Motion { reached, remarks, warning, undercut, effort })
 }
 
 /// Findings while the motion is followed.

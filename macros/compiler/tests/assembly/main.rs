@@ -1,6 +1,7 @@
 //! Assembly at the declared defaults: mechanisms that close, and the gaps of those that do not, compared with plane geometry.
 
 mod accepted;
+mod cams;
 mod gaps;
 mod joints;
 mod nearest;

@@ -1,0 +1,75 @@
+//! Disc cams whose surface cannot be made at the declared parameters.
+//!
+//! ```text
+//!   roller    κ ρ < 1           κ = (r² + 2 r′² − r r″) / (r² + r′²)^(3/2), r = R + ρ: the pitch curve
+//!   flat      h + h″ > 0        the radius of curvature of the outline
+//! ```
+//!
+//! Reference: Norton, Cam Design and Manufacturing Handbook, chapter 7.
+
+use crate::diag::{Doubt, Warning, quantity};
+use crate::expr::{Derivatives, Evaluator, Leaf, Values};
+use crate::model::sketch::{Instantiation, JointArgument};
+use crate::model::{Joint, Model};
+use crate::numeric::at_defaults;
+use crate::quantity::Dim;
+use crate::system::System;
+use std::f64::consts::TAU;
+
+/// Number of directions in which a cam is looked at.
+const LOOKS: usize = 720;
+
+/// A radius of curvature is too small if it is so by more than this part.
+const ROUNDED: f64 = 1e-9;
+
+/// Warnings about cams that are undercut.
+pub(super) fn undercut(model: &Model, system: &System) -> Vec<Warning> {
+    let of_joint = |(joint, made): (&Joint, &Instantiation)| {
+        let (angle, radius, roller) = at_defaults(model, system, |numeric| worst(model, made, &numeric.known))?;
+        let [angle, radius] =
+            [quantity(angle.to_degrees().round().to_radians(), Dim::ANGLE), quantity((radius * 1e6).round() * 1e-6, Dim::LENGTH)];
+        let roller = roller.map(|roller| quantity(roller, Dim::LENGTH));
+        Some(Warning { doubt: Doubt::Undercut { joint: joint.name.to_string(), angle, radius, roller }, range: (&joint.name).into() })
+    };
+    model.joints.iter().zip(&model.sketch.joints).filter_map(of_joint).collect()
+}
+
+/// Where the surface of a cam is undercut most: the direction in the cam, the radius of curvature of its pitch curve or outline, and the radius
+/// of its roller.
+fn worst(model: &Model, made: &Instantiation, known: &Values) -> Option<(f64, f64, Option<f64>)> {
+    let (law, is_flat) = match made.kind.as_str() {
+        "cam_roller" => ("R", false),
+        "cam_flat" => ("h", true),
+        _ => return None,
+    };
+    let argument = |name: &str| made.arguments.iter().find(|(known, _)| known == name).map(|(_, argument)| argument);
+    let Some(JointArgument::Function(law)) = argument(law) else { return None };
+    let mut arena = model.sketch.arena.clone();
+    let mut by_angle = Derivatives::new(Leaf::Time);
+    let slope = by_angle.of(&mut arena, *law);
+    let bend = by_angle.of(&mut arena, slope);
+    let roller = match argument("roller") {
+        Some(JointArgument::Number(roller, _)) => *roller,
+        _ => arena.integer(0),
+    };
+    let mut evaluator = Evaluator::new(&arena, &[*law, slope, bend, roller]);
+    let mut looks = (0..LOOKS).map(|look| {
+        let angle = look as f64 * TAU / LOOKS as f64 - TAU / 2.0;
+        let mut found = [0.0; 4];
+        evaluator.run(&Values { time: angle, ..*known }, &mut found);
+        let [law, slope, bend, roller] = found;
+        if is_flat {
+            return (angle, law + bend, law + bend, None);
+        }
+        let r = law + roller;
+        let square = r * r + slope * slope;
+        let curvature = (r * r + 2.0 * slope * slope - r * bend) / (square * square.sqrt());
+        // Of a concave part the radius is no matter.
+        let room = if curvature > 0.0 { 1.0 / curvature - roller } else { f64::INFINITY };
+        (angle, room, 1.0 / curvature, Some(roller))
+    });
+    let first = looks.next()?;
+    let (angle, room, radius, roller) = looks.fold(first, |worst, look| if look.1 < worst.1 { look } else { worst });
+    let is_undercut = room < -ROUNDED * roller.unwrap_or(radius.abs());
+    is_undercut.then_some((angle, radius, roller))
+}
