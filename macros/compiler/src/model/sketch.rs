@@ -47,7 +47,7 @@ pub struct LocalVector {
 }
 
 /// A constraint with its arguments.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Instantiation {
     /// Name in the definition of the constraint, even if a `use` item renames it.
     pub kind: String,
@@ -73,6 +73,11 @@ pub enum JointArgument {
 }
 
 impl Instantiation {
+    /// A freedom, or what is made of no constraint.
+    pub(crate) fn without_arguments(kind: &str) -> Instantiation {
+        Instantiation { kind: kind.to_owned(), arguments: Vec::new() }
+    }
+
     /// A spring or a damper with nothing but its points.
     pub(crate) fn between(mut self) -> Option<Instantiation> {
         self.arguments.retain(|(_, argument)| matches!(argument, JointArgument::Point(_)));

@@ -30,18 +30,9 @@ impl Elaborator<'_> {
                 self.has_no_cross_product(joint, statements, &scope)?;
                 self.statements(statements, scope, name, &[])
             }
-            JointBody::Energy(value) => {
-                let scope = self.joint_scope(joint, context);
-                self.energy(value, false, &scope).map(|()| Vec::new())
-            }
-            JointBody::Value(value) => {
-                let scope = self.joint_scope(joint, context);
-                self.value_alone(joint, value, &scope)
-            }
-            JointBody::Freedom(freedom) => {
-                let scope = self.joint_scope(joint, context);
-                self.freedom(&joint.name, freedom, &scope)
-            }
+            JointBody::Energy(value) => self.energy(value, false, &self.joint_scope(joint, context)).map(|()| Vec::new()),
+            JointBody::Value(value) => self.value_alone(joint, value, &self.joint_scope(joint, context)),
+            JointBody::Freedom(freedom) => self.freedom(&joint.name, freedom, &self.joint_scope(joint, context)),
             JointBody::Of { kind, arguments: given, .. } => {
                 let Value::Joint { arguments, .. } = self.entity(id, (&joint.name).into())? else { return None };
                 let definition = self.definition(kind)?;

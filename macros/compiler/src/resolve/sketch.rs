@@ -17,8 +17,9 @@ impl Elaborator<'_> {
         }
         let arena = self.arena.clone();
         let points = register.marks.iter().filter_map(|mark| self.sketched_mark(*mark, false)).collect();
-        let joints: Vec<Instantiation> = register.joints.iter().map(|(id, _)| self.sketched_joint(*id)).collect();
-        let forces = register.forces.iter().map(|(id, _)| (self.names.declared[id.0].name.unraw(), self.sketched_joint(*id)));
+        let joints: Vec<Instantiation> =
+            register.joints.iter().map(|(id, joint)| self.sketched_joint(*id, if joint.is_freedom() { "freedom" } else { "" })).collect();
+        let forces = register.forces.iter().map(|(id, _)| (self.names.declared[id.0].name.unraw(), self.sketched_joint(*id, "")));
         let forces = forces.filter_map(|(name, made)| Some((name, made.between()?))).collect();
         let outputs = register.outputs.iter().filter_map(|(id, output)| {
             let value = self.of(*id, output, |this, _, context| this.value(&output.value, &Scope::of(context)))?;
@@ -57,9 +58,9 @@ impl Elaborator<'_> {
         Some(NamedPoint { name, at: local(at) })
     }
 
-    fn sketched_joint(&mut self, joint: EntityId) -> Instantiation {
+    fn sketched_joint(&mut self, joint: EntityId, kind: &str) -> Instantiation {
         let range = Range::from(&self.names.declared[joint.0].name);
-        self.entity(joint, range).and_then(|value| self.made(range, value)).unwrap_or_default()
+        self.entity(joint, range).and_then(|value| self.made(range, value)).unwrap_or_else(|| Instantiation::without_arguments(kind))
     }
 
     fn made(&mut self, range: Range, joint: Value) -> Option<Instantiation> {
