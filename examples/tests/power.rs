@@ -29,6 +29,8 @@ mod governor;
 mod loaded_differential;
 #[path = "../loads.rs"]
 mod loads;
+#[path = "../pendulums.rs"]
+mod pendulums;
 #[path = "../rolling_coin.rs"]
 mod rolling_coin;
 #[path = "../spinning_top.rs"]
@@ -115,6 +117,14 @@ fn share(number: u32, of: u32) -> f64 {
 }
 
 /// The state of a motion at a time.
+/// Distance of a point of a body from one of ground.
+fn apart(body: &PlanarBody<f64>, local: Vector2<f64>, fixed: Vector2<f64>) -> Motion<f64> {
+    let Motion { value, rate, acceleration } = body.point(local);
+    let (line, way) = (value - fixed, (value - fixed).normalize());
+    let across = rate.norm_squared() - way.dot(&rate).powi(2);
+    Motion { value: line.norm(), rate: way.dot(&rate), acceleration: way.dot(&acceleration) + across / line.norm() }
+}
+
 macro_rules! moved {
     ($mechanism:expr, $time:expr) => {{
         let mut state = $mechanism.initial_state().expect("a state");
@@ -183,6 +193,19 @@ fn a_hoist_that_is_switched_on() {
 }
 
 #[test]
+fn pendulums_far_from_rest() {
+    for k in 0..STATES {
+        let m = pendulums::Double { first: 3.0 * share(k, 0), second: -2.0 * share(k, 1), ..pendulums::Double::default() };
+        let state = moved!(m, 0.1 + 0.5 * share(k, 2));
+        Ledger::plane().planar(&state.upper(), 1.0, [0.0, -m.length], 0.0).planar(&state.lower(), 1.0, [0.0, -m.length], 0.0).assert(
+            "pendulums",
+            m.energy(&state),
+            &[],
+        );
+    }
+}
+
+#[test]
 fn andrews_mechanism() {
     for k in 0..STATES {
         let m = andrews::Andrews { torque: 0.01 + 0.05 * share(k, 0) };
@@ -195,6 +218,7 @@ fn andrews_mechanism() {
             .planar(&state.ag(), 0.0705, [0.0; 2], 1.169e-5)
             .planar(&state.he(), 0.00706, [0.0; 2], 5.667e-7)
             .planar(&state.ah(), 0.05498, [0.0; 2], 1.912e-5)
+            .spring(4530.0, &apart(&state.bde(), Vector2::new(0.00957, 0.00074), Vector2::new(0.014, 0.072)), 0.07785)
             .assert("andrews", m.energy(&state), &[]);
     }
 }
@@ -308,5 +332,5 @@ fn no_example_is_left_out() {
             assert!(own.contains(&format!("{name}::")), "{name} has no balance of power");
         }
     }
-    assert_eq!(with_masses, 11);
+    assert_eq!(with_masses, 12);
 }

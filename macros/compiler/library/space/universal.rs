@@ -14,9 +14,12 @@
 /// ```
 ///
 /// `a` and `b` are the two arms of the cross, each fixed in its body. The cross turns about `a` by `angle_a`, counted from where `b` lies along
-/// x of `a` (its `from`), and the second body turns against the cross about `b` by `angle_b`, counted from where x of `b` lies along `a`. Both are
-/// within ±180°. Removes four freedoms. Degenerate case: where the shafts stand at a
-/// right angle to each other the cross folds, and the joint transmits no rotation.
+/// x of `a` (its `from`), and the second body turns against the cross about `b` by `angle_b`, counted from where x of `b` lies along `a`. Both lie
+/// between −180° and 180°, where they jump: a head that turns further about `a` is two revolute joints with a body between them. A spring about
+/// an arm is `energy name = 0.5 * k * cross.angle_a^2 / 1rad;`.
+///
+/// Removes four freedoms. Degenerate case: where the shafts stand at a right angle to each other the cross folds, and the joint transmits no
+/// rotation.
 ///
 /// Reference: Nikravesh, section 7.2; Haug, section 9.4.
 constraint universal(P: Point, a: Axis, Q: Point, b: Axis) in space {

@@ -7,6 +7,7 @@
 use crate::diag::{Diag, SystemFact};
 use crate::expr::{Expr, Triple, Values, evaluate};
 use crate::model::{JointQuantity, Model, Relationship, Said, Triad};
+use std::f64::consts::FRAC_PI_2;
 
 /// Sine below which two axes are parallel: declared directions are rounded.
 const PARALLEL: f64 = 1e-3;
@@ -18,7 +19,8 @@ type Direction = (Option<usize>, [f64; 3]);
 pub(super) fn angles_are_of_one_direction(model: &Model, diag: &mut Diag) {
     let mut said = Said::default();
     let defaults = defaults(model);
-    let related = related(model, &defaults);
+    let (related, perpendicular) = (related(model, &defaults), perpendicular(model, &defaults));
+    let are = |pair: &[Direction; 2], from, to| [[0, 1], [1, 0]].iter().any(|[a, b]| is_one(pair[*a], from) && is_one(pair[*b], to));
     for ((quantity, _), item) in model.space.quantities.iter().zip(&model.quantity_items) {
         let (JointQuantity::Angle(one, two), Some(name)) = (quantity, item) else { continue };
         let [from, to] = [one, two].map(|triad| direction(model, &defaults, triad.body, triad.axes[2]));
@@ -27,6 +29,7 @@ pub(super) fn angles_are_of_one_direction(model: &Model, diag: &mut Diag) {
             continue;
         }
         let apart = parallels(&related, to).into_iter().find(|other| other.0 == from.0).map(|other| between(other.1, from.1));
+        let apart = apart.or_else(|| perpendicular.iter().any(|pair| are(pair, from, to)).then_some(FRAC_PI_2));
         let apart =
             apart.or_else(|| parallels(&related, from).into_iter().find(|other| other.0 == to.0).map(|other| between(other.1, to.1)));
         if let Some(apart) = apart.filter(|apart| apart.sin() > PARALLEL)
@@ -48,6 +51,15 @@ fn related(model: &Model, defaults: &[f64]) -> Vec<[Direction; 2]> {
         Relationship::Coincident(..) | Relationship::Perpendicular(..) | Relationship::OnLine(..) => Vec::new(),
     };
     model.space.relations.iter().flat_map(pairs).collect()
+}
+
+/// Pairs of directions that joints keep perpendicular, as the arms of a cross.
+fn perpendicular(model: &Model, defaults: &[f64]) -> Vec<[Direction; 2]> {
+    let pair = |(_, _, relation): &(usize, usize, Relationship)| match relation {
+        Relationship::Perpendicular(one, two) => Some([one, two].map(|place| direction(model, defaults, place.body, place.local))),
+        _ => None,
+    };
+    model.space.relations.iter().filter_map(pair).collect()
 }
 
 fn axes_of(model: &Model, defaults: &[f64], triads: [&Triad; 2], axis: usize) -> [Direction; 2] {

@@ -132,6 +132,12 @@ impl Display for MotionFact {
             MotionFact::RateBeforeStart { value, from, at } => {
                 write!(f, "the value at t = 0 stands before the rate\nhelp: write `{value} from {from} at {at}`")
             }
+            MotionFact::JointWithoutValue { definition, wanted: JointValue::Angle, kind, .. } if kind == "universal" => {
+                write!(
+                    f,
+                    "`{definition}` takes one angle, and a `universal` joint has two\nhelp: write `angle_a` or `angle_b` after its name"
+                )
+            }
             MotionFact::JointWithoutValue { definition, wanted, kind, instead } => {
                 let (noun, kinds) = match wanted {
                     JointValue::Angle => ("an angle", "`revolute`, `cylindrical` or `screw`"),
