@@ -155,10 +155,15 @@ impl<'a> AtStart<'a> {
         bodies.dedup();
         let names = bodies.iter().map(|body| model.bodies[*body].name.to_string()).collect();
         let has_any = model.bodies.iter().any(|body| !body.masses.is_empty());
+        // A mass that is declared and is 0.
+        let known = |expr: &Expr| evaluate(&model.arena, &[*expr], &self.numeric.known) == [0.0];
+        let nothing = |mass: &Mass| mass.mass.iter().chain(mass.inertia.iter().flatten()).all(known);
+        let is_zero = |body: &&usize| !model.bodies[**body].masses.is_empty() && model.bodies[**body].masses.iter().all(nothing);
+        let zero = bodies.iter().filter(is_zero).map(|body| model.bodies[*body].name.to_string()).collect();
         let is_point = |mass: &Mass| mass.mass.is_some() && mass.inertia.is_none();
         let points = bodies.iter().map(|body| &model.bodies[*body]).filter(|body| body.masses.iter().any(is_point));
         let without_inertia = points.map(|body| body.name.to_string()).collect();
         let first = bodies.first().map_or(0, |body| *body);
-        diag.refuse(&model.bodies[first].name, SystemFact::Massless { bodies: names, has_any, without_inertia })
+        diag.refuse(&model.bodies[first].name, SystemFact::Massless { bodies: names, has_any, without_inertia, zero })
     }
 }

@@ -36,6 +36,8 @@ pub enum SystemFact {
         has_any: bool,
         /// Those with a mass, but no inertia.
         without_inertia: Vec<String>,
+        /// Those whose declared mass and inertia are 0.
+        zero: Vec<String>,
     },
     SliceWithoutLoads {
         name: String,

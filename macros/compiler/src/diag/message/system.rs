@@ -44,8 +44,11 @@ impl Display for SystemFact {
             SystemFact::FreedomsMissing { name, missing, declared, candidates } => {
                 freedoms_missing(f, name, [*missing, *declared], candidates)
             }
-            SystemFact::Massless { bodies, has_any, without_inertia } => {
+            SystemFact::Massless { bodies, has_any, without_inertia, zero } => {
                 write!(f, "no mass or inertia resists a motion of {}: its acceleration does not follow from forces", list(bodies))?;
+                if !zero.is_empty() {
+                    return write!(f, "\nhelp: what is declared of {} is 0: write its mass and its inertia", list(zero));
+                }
                 if !without_inertia.is_empty() {
                     let have = if without_inertia.len() == 1 { "has" } else { "have" };
                     write!(f, "\nhelp: {} {have} a mass only: write `inertia = …;` there", list(without_inertia))?;
