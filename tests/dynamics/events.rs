@@ -96,6 +96,40 @@ fn a_ball_that_rebounds_leaves_the_floor() {
     }
 }
 
+mechanism! {
+    /// A crank that turns beside a slide at rest.
+    pub(crate) mechanism Resting {
+        body crank { point A = (1m, 0m); }
+        body slide { mass = 1kg; }
+        joint pin = revolute((0m, 0m), crank.position);
+        joint rail = translational((1, 0), (0m, -2m), slide.position);
+        force hold = { at slide.position: (-4N_m * (slide.x - 1m), 0N); }
+        drive motor = drive_angle(crank, 1rad_s * t);
+        freedom stroke = slide.x from 1m;
+    }
+}
+
+/// Every passage is found, whenever the motion is asked for it, though nothing integrated moves.
+#[test]
+fn events_are_found_in_calls_of_any_length() {
+    for call in [1e-3, 0.05, 0.35] {
+        for number in 1..40 {
+            let (resting, target) = (Resting::default(), 0.05 * f64::from(number));
+            let mut state = resting.initial_state().expect("a state");
+            let mut integrator = Integrator::new(1e-8);
+            let mut found = 0;
+            for step in 1..=(2.2 / call) as u32 {
+                let until = call * f64::from(step);
+                while resting.advance_until(&mut state, until, &mut integrator, |state| state.crank().angle - target).expect("a motion") {
+                    found += 1;
+                    assert!((state.t - target).abs() < 1e-12, "{target}: {}", state.t);
+                }
+            }
+            assert_eq!(found, 1, "{target} in calls of {call} s");
+        }
+    }
+}
+
 /// Where a motion begins just above the floor it is stopped there, as soon as that can be told from rounding.
 #[test]
 fn an_event_just_after_the_beginning_is_found() {

@@ -7,14 +7,22 @@ mechanism! {
     pub(crate) mechanism Crane {
         param speed: Velocity = 2m_s;
         param begin: Time = 1s;
+        param start: Angle = 0.2rad;
+        param flywheel: Inertia = 0kgm2;
         gravity = (0, -9.81m_s2);
         body bob { mass = 1kg;  center = (0m, -1m);  inertia = 0.01kgm2; }
         body pointer { }
+        body near { }
+        body heavy { inertia = flywheel; }
         joint rail = absolute_y(bob.position, 0m);
         joint pin = revolute((5m, 0m), pointer.position);
         drive trolley = drive_x(bob.position, speed * 1s * linear((t - begin) / 1s));
+        joint other = revolute((6m, 0m), near.position);
+        joint shaft = revolute((7m, 0m), heavy.position);
         drive hand = drive_angle(pointer, 1rad * abs(sin(t * 3rad_s)));
-        freedom swing = bob.angle from 0.2rad;
+        drive second = drive_angle(near, 10rad_s * abs(t - 1.0001s));
+        drive engine = drive_angle(heavy, 100rad_s * t);
+        freedom swing = bob.angle from start;
     }
 }
 
@@ -45,11 +53,14 @@ mechanism! {
 mechanism! {
     /// A drive whose acceleration jumps, and its speed does not.
     pub(crate) mechanism Smooth {
+        param begin: Time = 1s;
+        param size: Acceleration = 2m_s2;
+        param start: Angle = 0.2rad;
         gravity = (0, -9.81m_s2);
         body bob { mass = 1kg;  center = (0m, -1m);  inertia = 0.01kgm2; }
         joint rail = absolute_y(bob.position, 0m);
-        drive trolley = drive_x(bob.position, if t < 1s { 0m } else { 1m_s2 * (t - 1s)^2 });
-        freedom swing = bob.angle from 0.2rad;
+        drive trolley = drive_x(bob.position, if t < begin { 0m } else { 0.5 * size * (t - begin)^2 });
+        freedom swing = bob.angle from start;
     }
 }
 
@@ -66,7 +77,7 @@ fn a_law_that_jerks_a_pendulum_is_refused() {
             assert!((time - 1.0).abs() < 1e-12 && owner == "bob" && coordinate == "x", "{stopped}");
             assert!(state.t <= 1.0);
         }
-        let still = Crane { speed: 0.0, begin: 1.0 };
+        let still = Crane { speed: 0.0, ..Crane::default() };
         let mut state = still.initial_state().expect("a state");
         still.advance(&mut state, 3.0, &mut Integrator::new(tolerance)).expect("nothing with a mass is struck");
     }
@@ -76,6 +87,58 @@ fn a_law_that_jerks_a_pendulum_is_refused() {
     moving.advance(&mut state, 0.9, &mut Integrator::new(1e-8)).expect("a motion from speed to speed");
     let stopped = moving.advance(&mut state, 1.1, &mut Integrator::new(1e-8)).expect_err("the trolley stops");
     assert!(matches!(stopped, Stopped::SpeedJumps { time, .. } if (time - 1.0).abs() < 1e-12), "{stopped}");
+}
+
+/// The jump is as large for a pendulum at rest and beside a heavy flywheel.
+#[test]
+fn a_jump_is_found_from_any_speed_and_beside_any_mass() {
+    for start in [0.0, 1e-12, 1e-8, 1e-3, 1.0] {
+        for flywheel in [0.0, 1e3, 1e5] {
+            let crane = Crane { start, flywheel, ..Crane::default() };
+            let mut state = crane.initial_state().expect("a state");
+            let stopped = crane.advance(&mut state, 3.0, &mut Integrator::new(1e-9)).expect_err("a jump");
+            assert!(matches!(stopped, Stopped::SpeedJumps { time, .. } if (time - 1.0).abs() < 1e-12), "{start}, {flywheel}: {stopped}");
+        }
+        let single = Crane::<f32> { start: start as f32, ..Crane::with_defaults() };
+        let mut state = single.initial_state().expect("a state");
+        let stopped = single.advance(&mut state, 3.0, &mut Integrator::new(1e-4)).expect_err("a jump");
+        assert!(matches!(stopped, Stopped::SpeedJumps { time, .. } if (time - 1.0).abs() < 1e-5), "{start}: {stopped}");
+    }
+}
+
+/// An event just before the jump is reached.
+#[test]
+fn an_event_before_a_jump_is_found() {
+    for before in [1e-1, 1e-4, 1e-9] {
+        let crane = Crane::default();
+        let mut state = crane.initial_state().expect("a state");
+        let at = 1.0 - before;
+        let found = crane.advance_until(&mut state, 3.0, &mut Integrator::new(1e-9), |state| state.t - at);
+        assert!(found.expect("a motion") && (state.t - at).abs() < 1e-15, "{}", state.t);
+        let stopped = crane.advance_until(&mut state, 3.0, &mut Integrator::new(1e-9), |state| state.t - 2.0).expect_err("a jump");
+        assert!(matches!(stopped, Stopped::SpeedJumps { .. }), "{stopped}");
+    }
+}
+
+/// Only the acceleration jumps, at any time and however still the pendulum hangs, in numbers of both sizes.
+#[test]
+fn laws_without_jumps_of_speed_are_followed() {
+    for begin in [1.0, 10.0, 100.0] {
+        for size in [0.1, 30.0] {
+            for start in [0.0, 1e-6, 0.3] {
+                let smooth = Smooth { begin, size, start };
+                let mut state = smooth.initial_state().expect("a state");
+                smooth.advance(&mut state, begin + 0.5, &mut Integrator::new(1e-9)).expect("a motion");
+                let smooth = Smooth::<f32> { begin: begin as f32, size: size as f32, start: start as f32 };
+                let mut state = smooth.initial_state().expect("a state");
+                match smooth.advance(&mut state, begin as f32 + 0.5, &mut Integrator::new(1e-3)) {
+                    // In `f32` a step at 100 s may be too short.
+                    Ok(()) | Err(Stopped::StepTooShort { .. }) => {}
+                    Err(stopped) => panic!("{begin}, {size}, {start}: {stopped}"),
+                }
+            }
+        }
+    }
 }
 
 #[test]

@@ -32,7 +32,9 @@
 use core::error::Error;
 use core::fmt::{self, Debug, Display, Formatter};
 use core::ops::Deref;
+use std::format;
 use std::io::{self, Write};
+use std::string::String;
 
 use super::outputs::{Output, OutputName, OutputNames, Outputs};
 use super::slice::{Slice, SliceState, Sliced};
@@ -202,7 +204,9 @@ where
     S: Deref<Target = State<T, N>>,
     T: Float,
 {
-    let names = |table: &mut Table<W>| columns.iter().try_for_each(|(name, unit, _)| table.name(format_args!("{name}"), unit));
+    let names = |table: &mut Table<W>| {
+        columns.iter().try_for_each(|(name, unit, _)| table.cell(format_args!("{}", quoted(format!("{name} ({unit})")))))
+    };
     tabulate(to, states, names, |table, state| columns.iter().try_for_each(|(_, _, of)| table.number(of(state))))
 }
 
@@ -229,6 +233,11 @@ where
         table.end()?;
     }
     Ok(table.to.flush()?)
+}
+
+/// A cell in quotation marks if it has commas, quotation marks or ends of lines.
+fn quoted(cell: String) -> String {
+    if cell.contains([',', '"', '\n', '\r']) { format!("\"{}\"", cell.replace('"', "\"\"")) } else { cell }
 }
 
 /// A table that is being written.

@@ -30,8 +30,8 @@ pub trait Dynamics<T: Scalar, const N: usize, const I: usize, const M: usize, co
     /// If there are any: the dimension of each equation at t = 0, as a power of a length.
     const POWERS: [u8; R] = [0; R];
 
-    /// True if an equation has a kink, so that speeds may jump.
-    const MAY_JUMP: bool = false;
+    /// True if an equation between positions may have a kink, by `if`, `abs` or `sign`.
+    const HAS_KINKS: bool = false;
 
     /// The mechanism with parameters between the declared defaults (λ = 0) and these (λ = 1); `None` if there are no parameters, or they are the
     /// defaults.
@@ -56,6 +56,11 @@ pub trait Dynamics<T: Scalar, const N: usize, const I: usize, const M: usize, co
     /// Where joints are redundant: the joint of the equation that is off most, and its residual, if one does not hold.
     fn misfit(&self, _q: &SVector<T, N>, _t: T) -> Option<(&'static str, T)> {
         None
+    }
+
+    /// One bit for each kink, which changes where the kink is passed; kinks from the 65th on share bits.
+    fn sides(&self, _q: &SVector<T, N>, _t: T) -> u64 {
+        0
     }
 
     /// J, γ, M and f, written into zeros or into those of another state.

@@ -12,9 +12,6 @@ use super::stopped::Stopped;
 use crate::number::Scalar;
 use crate::state::State;
 
-/// An event no larger than so many roundings where a state begins is zero there.
-const ROUNDED: f64 = 64.0;
-
 /// Most steps of the search for an instant.
 const SEARCH: usize = 200;
 
@@ -31,11 +28,11 @@ const DERIVATIVES: usize = 2;
 ///
 /// Interpolated states show roughly where that is. States at the ends of steps decide, since near the instant the two may differ in sign.
 ///
-/// * `is_first`: given, true if no step came before.
+/// * `stopped`: given, the instant at which the motion was stopped before, and the event there: in that state the event counts as zero.
 /// * `tolerance`: given, that of steps, as for [`land`].
 pub(super) fn first_event<K: Method, T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
-    (from, to, is_first): (&State<T, N>, &State<T, N>, bool),
+    (from, to, stopped): (&State<T, N>, &State<T, N>, Option<(T, T)>),
     event: &impl Fn(&State<T, N>) -> T,
     tolerance: (T, T),
 ) -> Result<Option<State<T, N>>, Stopped<T>>
@@ -45,7 +42,8 @@ where
 {
     let whole = to.t - from.t;
     let look = |part| event(&between(mechanism, from, to, part));
-    let first = if is_first { at_beginning([from, to], event(from), look, &S::INTEGRATED) } else { event(from) };
+    // With the sign of its rounding, a body that rebounds would be stopped again before it has moved.
+    let first = if stopped == Some((from.t, event(from))) { T::ZERO } else { event(from) };
     let exactly = |part: T| {
         if part == T::ZERO {
             return Ok((part, first, from.clone()));
@@ -95,25 +93,7 @@ where
     Ok(None)
 }
 
-/// The event in the state with which a motion begins: zero if it is zero but for rounding, as where the same event stopped the motion before.
-/// With the sign of that rounding, a body that rebounds would be stopped again before it has moved.
-fn at_beginning<T: Scalar, const N: usize, const I: usize>(
-    [from, to]: [&State<T, N>; 2],
-    value: T,
-    look: impl Fn(T) -> T,
-    integrated: &[usize; I],
-) -> T {
-    let largest = |vector: &SVector<T, N>| picked(vector, integrated).into_iter().fold(T::ZERO, |largest, entry| largest.max(entry.abs()));
-    let (size, speed) = (largest(&from.q), largest(&from.qd).max(largest(&to.qd)));
-    let part = T::of(1.0 / LOOKS as f64);
-    let next = look(part);
-    // Instants are known to ε t, and coordinates to ε q, which pass in q / speed.
-    let slope = (next - value) / (part * (to.t - from.t));
-    let noise = T::of(ROUNDED) * T::EPSILON * (next.abs() + slope.abs() * (from.t.abs() + size / speed));
-    if value.abs() <= noise { T::ZERO } else { value }
-}
-
-/// A state on the way between two others, by the polynomials of degree five through their positions, speeds and accelerations.
+/// A state on the way between two others.
 pub(super) fn between<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     from: &State<T, N>,
@@ -124,9 +104,22 @@ where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
+    let ([q, qd, qdd], t) = interpolated(&S::INTEGRATED, from, to, part);
+    let [q, qd, qdd] = mechanism.complete(&q, &qd, &qdd, t);
+    State::new(t, q, qd, qdd)
+}
+
+/// The integrated entries of a state on the way between two others, by the polynomials of degree five through their positions, speeds and
+/// accelerations, and its time.
+pub(super) fn interpolated<T: Scalar, const N: usize, const I: usize>(
+    integrated: &[usize; I],
+    from: &State<T, N>,
+    to: &State<T, N>,
+    part: T,
+) -> ([SVector<T, N>; 3], T) {
     let h = to.t - from.t;
-    let [from_q, from_u, from_a] = [&from.q, &from.qd, &from.qdd].map(|vector| picked(vector, &S::INTEGRATED));
-    let [to_q, to_u, to_a] = [&to.q, &to.qd, &to.qdd].map(|vector| picked(vector, &S::INTEGRATED));
+    let [from_q, from_u, from_a] = [&from.q, &from.qd, &from.qdd].map(|vector| picked(vector, integrated));
+    let [to_q, to_u, to_a] = [&to.q, &to.qd, &to.qdd].map(|vector| picked(vector, integrated));
     let mut values = [[T::ZERO; I]; 3];
     let [q, u, a] = &mut values;
     for k in 0..I {
@@ -145,11 +138,9 @@ where
     }
     let mut vectors = [from.q, from.qd, from.qdd];
     for (vector, values) in vectors.iter_mut().zip(&values) {
-        put(vector, &S::INTEGRATED, values);
+        put(vector, integrated, values);
     }
-    let t = from.t + part * h;
-    let [q, qd, qdd] = mechanism.complete(&vectors[0], &vectors[1], &vectors[2], t);
-    State::new(t, q, qd, qdd)
+    (vectors, from.t + part * h)
 }
 
 /// The state at which an event has the value zero, between two at which it has different signs.

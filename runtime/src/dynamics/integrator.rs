@@ -37,6 +37,9 @@ pub struct Integrator<T = f64, K = Explicit> {
     pub rejected: usize,
     /// Number of times that accelerations were computed.
     pub evaluations: usize,
+    /// Time and value of the event that stopped the motion last.
+    #[doc(hidden)]
+    pub stopped: Option<(T, T)>,
     /// How steps are made.
     #[doc(hidden)]
     pub method: PhantomData<K>,
@@ -48,7 +51,18 @@ impl<T: Scalar> Integrator<T> {
     pub fn new(tolerance: T) -> Self {
         let longest = T::of(f64::INFINITY);
         let (step, fastest) = (T::ZERO, T::ZERO);
-        Self { tolerance, longest, most: 1_000_000, step, fastest, accepted: 0, rejected: 0, evaluations: 0, method: PhantomData }
+        Self {
+            tolerance,
+            longest,
+            most: 1_000_000,
+            step,
+            fastest,
+            accepted: 0,
+            rejected: 0,
+            evaluations: 0,
+            stopped: None,
+            method: PhantomData,
+        }
     }
 }
 
@@ -58,7 +72,7 @@ impl<T: Scalar> Integrator<T, Stiff> {
     #[must_use]
     pub fn stiff(tolerance: T) -> Self {
         let Integrator { tolerance, longest, most, step, fastest, accepted, rejected, evaluations, .. } = Integrator::new(tolerance);
-        Self { tolerance, longest, most, step, fastest, accepted, rejected, evaluations, method: PhantomData }
+        Self { tolerance, longest, most, step, fastest, accepted, rejected, evaluations, stopped: None, method: PhantomData }
     }
 }
 
@@ -130,7 +144,7 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
     }
 
     /// Takes a state to the first instant before `t` at which `event` changes its sign, located to rounding, or to `t`. True if there is
-    /// such an instant; an event that is zero at the beginning, to rounding, does not count. The event is looked at eight times a step, and more
+    /// such an instant; an event at the beginning does not count, nor one at which the same integrator stopped. The event is looked at eight times a step, and more
     /// closely where it turns back near zero. It has to be smooth on the scale of a step; otherwise `longest` has to be shorter.
     ///
     /// # Errors
@@ -148,25 +162,33 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
     {
         self.begin(mechanism, state, t)?;
         let mut reached = None;
-        for step in 0..self.most {
+        for _ in 0..self.most {
             if state.t == t {
                 return Ok(false);
             }
-            let (next, _) = self.next(mechanism, state, &mut reached, t)?;
-            let (between, tolerance) = ((&*state, &next, step == 0), (self.tolerance, self.fastest));
-            if let Some(found) = first_event::<K, T, S, N, I, M, R>(mechanism, between, &event, tolerance)? {
-                *state = found;
-                return Ok(true);
+            let (next, _, jumps) = self.stepped(mechanism, state, &mut reached, t)?;
+            let (between, tolerance) = ((&*state, &next, self.stopped), (self.tolerance, self.fastest));
+            let found = first_event::<K, T, S, N, I, M, R>(mechanism, between, &event, tolerance)?;
+            // An event before speeds jump is found.
+            let is_after = |jump: &Stopped<T>, found: &State<T, N>| match jump {
+                Stopped::SpeedJumps { time, .. } => (found.t - state.t).abs() >= (*time - state.t).abs(),
+                _ => true,
+            };
+            match (found, jumps) {
+                (None, jumps) => jumps?,
+                (Some(found), Err(jump)) if is_after(&jump, &found) => return Err(jump),
+                (Some(found), _) => {
+                    self.stopped = Some((found.t, event(&found)));
+                    *state = found;
+                    return Ok(true);
+                }
             }
             *state = next;
         }
         if state.t == t { Ok(false) } else { Err(Stopped::TooManySteps { time: state.t }) }
     }
 
-    /// The state after the next accepted step, at `t` at the latest, and the rates in the stages of an explicit step.
-    ///
-    /// * `reached`: given, the equations at the end of the step before, if there is one; returned, those at the end of this step.
-    ///
+    /// The state after the next accepted step, within which no speed jumps, at `t` at the latest, and the rates in the stages of an explicit step.
     #[allow(clippy::type_complexity)] // A state and rates.
     pub(super) fn next<S, const N: usize, const I: usize, const M: usize, const R: usize>(
         &mut self,
@@ -175,6 +197,25 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
         reached: &mut Option<Reached<T, M, I>>,
         t: T,
     ) -> Result<(State<T, N>, Option<Rates<T, I>>), Stopped<T>>
+    where
+        S: Dynamics<T, N, I, M, R>,
+    {
+        let (next, rates, jumps) = self.stepped(mechanism, state, reached, t)?;
+        jumps.map(|()| (next, rates))
+    }
+
+    /// The same, and apart from it whether a speed jumps.
+    ///
+    /// * `reached`: given, the equations at the end of the step before, if there is one; returned, those at the end of this step.
+    ///
+    #[allow(clippy::type_complexity)] // A state and rates.
+    fn stepped<S, const N: usize, const I: usize, const M: usize, const R: usize>(
+        &mut self,
+        mechanism: &S,
+        state: &State<T, N>,
+        reached: &mut Option<Reached<T, M, I>>,
+        t: T,
+    ) -> Result<(State<T, N>, Option<Rates<T, I>>, Result<(), Stopped<T>>), Stopped<T>>
     where
         S: Dynamics<T, N, I, M, R>,
     {
@@ -204,7 +245,6 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
             let (error, fastest) = error_and_speed;
             if let Ok(Some((mut next, rates))) = tried {
                 keeps_rank::<K, T, S, N, I, M, R>(mechanism, (state, reached.as_ref()), (&next, &there))?;
-                no_speed_jumps(mechanism, state, &next)?;
                 *reached = Some(there);
                 (self.accepted, self.fastest) = (self.accepted + 1, fastest);
                 let grown = wanted * factor::<T, K>(error, 6.0);
@@ -213,7 +253,8 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
                 if is_last {
                     next.values.t = t;
                 }
-                return Ok((next, rates));
+                let jumps = no_speed_jumps(mechanism, state, &next);
+                return Ok((next, rates, jumps));
             }
             self.rejected += 1;
             let shorter = if tried.is_err() { T::of(0.2) } else { factor::<T, K>(error, 1.0) };

@@ -1,33 +1,36 @@
 //! Speeds that jump within a step.
 //!
-//! In: the states at both ends of a step. Out: the instant at which a speed jumps so that the momentum of a motion that is left free jumps as well. There
-//! an impulse acts, which no integration of forces gives.
+//! In: the states at both ends of a step. Out: the first instant at which an equation has a kink, a speed jumps, and the momentum of a motion that
+//! is left free jumps with it. There an impulse acts, which no integration of forces gives.
 //!
-//! Not looked for here: rows between integrated coordinates. Where they jump, the projection moves the integrated speeds.
+//! Not looked for here: kinks of rows between integrated coordinates, where the projection moves the integrated speeds, and of functions in Rust,
+//! and places that jump.
 
 use nalgebra::SVector;
 
 use super::accelerate::{lengths, redundant};
 use super::equations::{Constraints, Dynamics};
-use super::event::between;
+use super::event::{between, interpolated};
 use super::partition::Partition;
 use super::places::{moved, picked, put};
 use super::stopped::Stopped;
 use crate::number::Scalar;
 use crate::state::State;
 
-/// Parts of a step in which a jump is looked for.
+/// Parts of a step at whose ends kinks are looked at.
 const PARTS: usize = 8;
 
-/// The difference of speeds from the trapezoidal rule falls to an eighth in each half of an interval; where it does not fall below this part, a
-/// speed may jump.
-const SMOOTH: f64 = 0.25;
+/// Times ε: the shortest interval relative to the time and to the step.
+const SHORTEST: f64 = 8.0;
 
-/// Times ε: parts of the speeds that are rounding, and the shortest interval relative to the time.
+/// Times ε: speeds that differ by less than this part of them do not jump.
 const ROUNDED: f64 = 256.0;
 
-/// Refuses a step within which momenta jump. In a step that begins a motion at t = 0 what happens at its very beginning does not count: the
-/// initial values are those after it.
+/// Part of a step, and the sides of all kinks there.
+type Look<T> = (T, u64);
+
+/// Refuses a step within which momenta jump. In a step from t = 0 what happens at its very beginning does not count: the initial values are those
+/// after it.
 pub(super) fn no_speed_jumps<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     from: &State<T, N>,
@@ -37,108 +40,102 @@ where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    if !S::MAY_JUMP {
+    if !S::HAS_KINKS {
         return Ok(());
     }
-    let at = |part: T| (part, between(mechanism, from, to, part));
-    let mut before = at(T::ZERO);
-    let scale = largest(&from.qd).max(largest(&to.qd)).max(largest(&before.1.qd));
+    let look = |part: T| {
+        let ([q, ..], t) = interpolated(&S::INTEGRATED, from, to, part);
+        (part, mechanism.sides(&q, t))
+    };
+    let mut before = look(T::ZERO);
     for number in 1..=PARTS {
-        let after = at(T::of(number as f64 / PARTS as f64));
-        if let Some((low, high)) = narrowed([&before, &after], scale, at) {
-            let is_beginning = from.t == T::ZERO && low.0 == T::ZERO;
-            if !is_beginning && momenta_jump(mechanism, [&low.1, &high.1]) {
-                let (mut most, mut owner, mut coordinate) = (T::ZERO, "", "");
-                for ((one, other), name) in low.1.qd.iter().zip(&high.1.qd).zip(S::COORDINATES) {
-                    let jump = (*other - *one).abs();
-                    if jump > most {
-                        (most, owner, coordinate) = (jump, name.body, name.name);
-                    }
-                }
-                return Err(Stopped::SpeedJumps { time: high.1.t, owner, coordinate });
-            }
-        }
+        let after = look(T::of(number as f64 / PARTS as f64));
+        between_looks(mechanism, [from, to], [before, after], &look)?;
         before = after;
     }
     Ok(())
 }
 
-/// Part of a step, and the state there.
-type Place<T, const N: usize> = (T, State<T, N>);
-
-/// The ends of a shortest interval across which a speed jumps, if there seems to be one.
-fn narrowed<T: Scalar, const N: usize>(
-    [low, high]: [&Place<T, N>; 2],
-    scale: T,
-    at: impl Fn(T) -> Place<T, N>,
-) -> Option<(Place<T, N>, Place<T, N>)> {
-    let (mut low, mut high) = (low.clone(), high.clone());
-    let mut off = off(&low.1, &high.1);
-    loop {
-        if !(off > T::of(ROUNDED) * T::EPSILON * scale) {
-            return None;
-        }
-        let width = (high.1.t - low.1.t).abs();
-        if width <= T::of(ROUNDED) * T::EPSILON * high.1.t.abs().max(width) {
-            return Some((low, high));
-        }
-        let middle = at((low.0 + high.0) * T::of(0.5));
-        if middle.0 == low.0 || middle.0 == high.0 {
-            return Some((low, high));
-        }
-        let halves = [self::off(&low.1, &middle.1), self::off(&middle.1, &high.1)];
-        if halves[0].max(halves[1]) <= T::of(SMOOTH) * off {
-            return None;
-        }
-        off = halves[0].max(halves[1]);
-        if halves[0] > halves[1] {
-            high = middle;
-        } else {
-            low = middle;
-        }
-    }
-}
-
-/// How far the speeds of two states differ from what the accelerations between them give by the trapezoidal rule.
-fn off<T: Scalar, const N: usize>(from: &State<T, N>, to: &State<T, N>) -> T {
-    let half = T::of(0.5) * (to.t - from.t);
-    let speeds = from.qd.iter().zip(&to.qd).map(|(one, other)| *other - *one);
-    let accelerations = from.qdd.iter().zip(&to.qdd).map(|(one, other)| (*one + *other) * half);
-    speeds.zip(accelerations).fold(T::ZERO, |off, (change, by_accelerations)| off.max((change - by_accelerations).abs()))
-}
-
-fn largest<T: Scalar, const N: usize>(vector: &SVector<T, N>) -> T {
-    vector.iter().fold(T::ZERO, |largest, value| largest.max(value.abs()))
-}
-
-/// True if the momentum ∂T/∂u along a motion that the equations leave differs between two states of the same instant.
-#[inline(never)]
-fn momenta_jump<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(mechanism: &S, states: [&State<T, N>; 2]) -> bool
+/// Refuses the kinks between two looks, the earlier ones first.
+fn between_looks<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    step: [&State<T, N>; 2],
+    [low, high]: [Look<T>; 2],
+    look: &impl Fn(T) -> Look<T>,
+) -> Result<(), Stopped<T>>
 where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    let [before, after] = states;
+    if low.1 == high.1 {
+        return Ok(());
+    }
+    let [from, to] = step;
+    let (h, middle) = ((to.t - from.t).abs(), (low.0 + high.0) * T::of(0.5));
+    let shortest = T::of(SHORTEST) * T::EPSILON * from.t.abs().max(to.t.abs()).max(h);
+    if (high.0 - low.0) * h > shortest && middle > low.0 && middle < high.0 {
+        let middle = look(middle);
+        between_looks(mechanism, step, [low, middle], look)?;
+        return between_looks(mechanism, step, [middle, high], look);
+    }
+    if from.t == T::ZERO && low.0 == T::ZERO {
+        return Ok(());
+    }
+    no_momentum_jumps(mechanism, [low, high].map(|look| between(mechanism, from, to, look.0)))
+}
+
+/// Refuses a jump of the momentum ∂T/∂u along a motion that the equations leave, between two states of nearly the same instant.
+#[inline(never)]
+fn no_momentum_jumps<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    [before, after]: [State<T, N>; 2],
+) -> Result<(), Stopped<T>>
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let Some((place, jump)) = largest_jump(&before, &after) else { return Ok(()) };
     let (mut here, mut parts) = (Constraints::zero(), Partition::empty());
     mechanism.constraints(&after.q, after.t, &mut here);
     if parts.solve((&mut here.jacobian, &mut here.nu), None, &lengths(mechanism), &[true; M], &redundant(mechanism)).is_err() {
-        return false;
+        // Where joints lose rank the motion stops for that reason.
+        return Ok(());
     }
-    let speeds = picked(&before.qd, &S::INTEGRATED);
-    let fastest = speeds.into_iter().fold(T::ZERO, |fastest, speed| fastest.max(speed.abs()));
-    let step = if fastest > T::ZERO { fastest } else { T::of(1.0) };
-    (0..parts.independent()).any(|place| {
-        let motion = parts.unit(place);
-        // T is a quadratic function of u.
+    let change = picked(&before.qd, &S::INTEGRATED).into_iter().fold(jump, |fastest, speed| fastest.max(speed.abs()));
+    let is_struck = (0..parts.independent()).any(|free| {
+        let motion = parts.unit(free);
+        // T is a quadratic function of u: T(u + s) − T(u − s) = 2 s p, T(u + s) + T(u − s) − 2 T(u) = s² m.
         let kinetic = |state: &State<T, N>, change: T| {
             let mut speeds = state.qd;
             put(&mut speeds, &S::INTEGRATED, &moved(&picked(&state.qd, &S::INTEGRATED), change, &motion));
             let [q, speeds, _] = mechanism.complete(&state.q, &speeds, &state.qdd, state.t);
             mechanism.energy(&q, &speeds, state.t).kinetic
         };
-        let [before, after] = states.map(|state| [kinetic(state, step), kinetic(state, T::ZERO - step)]);
-        let [one, two] = [before, after].map(|[more, less]| more - less);
-        let size = before.iter().chain(&after).fold(T::ZERO, |size, kinetic| size.max(kinetic.abs()));
-        (two - one).abs() > T::ROOT_EPSILON * size
-    })
+        let momentum = |state: &State<T, N>| {
+            let [more, here, less] = [change, T::ZERO, T::ZERO - change].map(|change| kinetic(state, change));
+            let rounded = T::of(ROUNDED) * T::EPSILON * here.abs().max(more.abs()).max(less.abs()) / change;
+            [(more - less) / (T::of(2.0) * change), (more + less - here - here) / (change * change), rounded]
+        };
+        let [[one, mass, first], [two, other, second]] = [momentum(&before), momentum(&after)];
+        let size = one.abs() + two.abs() + mass.abs().max(other.abs()) * jump;
+        (two - one).abs() > T::ROOT_EPSILON * size + first + second
+    });
+    if !is_struck {
+        return Ok(());
+    }
+    let (owner, coordinate) = S::COORDINATES.get(place).map_or(("", ""), |coordinate| (coordinate.body, coordinate.name));
+    Err(Stopped::SpeedJumps { time: after.t, owner, coordinate })
+}
+
+/// The coordinate whose speed jumps most, and by how much: by more than the accelerations on both sides and rounding change it.
+fn largest_jump<T: Scalar, const N: usize>(before: &State<T, N>, after: &State<T, N>) -> Option<(usize, T)> {
+    let width = T::of(2.0) * (after.t - before.t).abs();
+    let jump = |place: usize| {
+        let of = |vector: &SVector<T, N>| vector.get(place).copied().unwrap_or(T::ZERO);
+        let [one, two] = [of(&before.qd), of(&after.qd)];
+        let allowed = (of(&before.qdd).abs() + of(&after.qdd).abs()) * width;
+        let jump = (two - one).abs();
+        (jump > allowed + T::of(ROUNDED) * T::EPSILON * one.abs().max(two.abs())).then_some((place, jump))
+    };
+    (0..N).filter_map(jump).reduce(|most, next| if next.1 > most.1 { next } else { most })
 }

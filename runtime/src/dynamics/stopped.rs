@@ -126,10 +126,15 @@ impl<T: Scalar + Display> Display for Stopped<T> {
                 )
             }
             Stopped::SpeedJumps { time, owner, coordinate } => {
+                write!(f, "at t = {time} s the ")?;
+                match *coordinate {
+                    // Beside the components of the angular velocity.
+                    "a11" | "a12" | "a13" => write!(f, "angular velocity of `{owner}` jumps")?,
+                    _ => write!(f, "speed of `{owner}.{coordinate}` jumps")?,
+                }
                 write!(
                     f,
-                    "at t = {time} s the speed of `{owner}.{coordinate}` jumps, and what follows from forces is struck by it; take a law or an equation \
-                     without a kink, such as `cycloidal` instead of `linear`"
+                    ", which takes an infinite force; use a law or an equation without a kink, such as `cycloidal` instead of `linear`"
                 )
             }
             Stopped::NotFinite { time } => write!(f, "at t = {time} s a number is infinite or not a number"),

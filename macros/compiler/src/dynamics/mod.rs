@@ -27,7 +27,7 @@ mod with_loads;
 
 use crate::assembly::Assembly;
 use crate::diag::Diag;
-use crate::expr::{Arena, Expr, Leaf, Lookup, derivative};
+use crate::expr::{Arena, Expr, Leaf, Lookup, Node, Unary, derivative};
 use crate::model::Model;
 use crate::numeric::{Numeric, at_defaults};
 use crate::quantity::Dim;
@@ -59,6 +59,8 @@ pub struct Dynamics {
     /// Where joints are redundant, the equations that are checked: the index of their joint, and Φ in rad or in characteristic lengths to this
     /// power.
     pub checked: Vec<(usize, Expr, u8)>,
+    /// What changes its sign at the kinks of equations between positions.
+    pub kinks: Vec<Expr>,
     /// Lower triangle of the mass matrix, row by row.
     pub mass: Vec<Expr>,
     /// M u̇ − Q at u̇ = 0, by integrated speed.
@@ -111,6 +113,23 @@ fn in_general(arena: &mut Arena, rows: &[MotionRow], redundant: &[MotionRow], le
     }
     let length = power_of_two(arena, length);
     rows.iter().map(|row| arena.power(length, i32::from(row.power))).collect()
+}
+
+/// The differences and operands that change their sign where a choice, an absolute value or a sign changes, unless they are constant.
+fn kinks<'a>(arena: &mut Arena, equations: impl Iterator<Item = &'a Equation>) -> Vec<Expr> {
+    let roots: Vec<Expr> = equations.filter_map(Equation::phi).collect();
+    let mut found: Vec<Expr> = Vec::new();
+    for expr in arena.reachable(&roots) {
+        let kink = match *arena.node(expr) {
+            Node::Select { lhs, rhs, .. } => arena.sub(lhs, rhs),
+            Node::Unary(Unary::Abs | Unary::Sign, operand) => operand,
+            _ => continue,
+        };
+        if !found.contains(&kink) && arena.leaves(kink).into_iter().any(|leaf| leaf.moves() || leaf.is_of_time()) {
+            found.push(kink);
+        }
+    }
+    found
 }
 
 /// Speeds that are freedoms by themselves.
@@ -182,6 +201,7 @@ fn reduce(system: &System, structure: &Structure, balance: &Balance) -> Dynamics
     let constraints: Vec<Equation> = solved.iter().map(|row| of_positions[*row].clone()).collect();
     let pivots = |row: &usize| system.pattern.rows[*row].iter().filter(|entry| entry.is_pivot).map(|entry| entry.unknown).collect();
     let pivots: Vec<Vec<usize>> = solved.iter().map(pivots).collect();
+    let kinks = kinks(&mut arena, of_positions.iter().filter(|equation| !equation.is_initial));
     let by_spins = system.by_spins.as_ref().map(|by_spins| BySpins::plain(&mut arena, &mut known, by_spins));
     let mut embedding = Embedding::new(&mut arena, (0..system.coordinates.len()).collect());
     let left = embedding.eliminate(&constraints, &pivots);
@@ -198,6 +218,7 @@ fn reduce(system: &System, structure: &Structure, balance: &Balance) -> Dynamics
         Some((joint, embedding.of(of_positions[*row].phi()?), power_of_length(dim)))
     });
     let checked = checked.collect();
+    let kinks = kinks.into_iter().map(|expr| embedding.of(expr)).collect();
     let mass = embedding.mass(&masses);
     let forces = embedding.forces(&forces);
     let mut state: Vec<[Expr; 3]> = (0..system.coordinates.len()).map(|unknown| embedding.motion(unknown)).collect();
@@ -212,6 +233,7 @@ fn reduce(system: &System, structure: &Structure, balance: &Balance) -> Dynamics
         redundant,
         initial,
         checked,
+        kinks,
         mass,
         forces,
         state,

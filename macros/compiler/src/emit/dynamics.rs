@@ -8,7 +8,7 @@ use super::routine::{RoutinePrinter, fast_lines};
 use super::{allowed, docs, state_path};
 use crate::plan::{DynamicsCode, Routine};
 use crate::quantity::Role;
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 impl Emitter<'_> {
@@ -51,11 +51,6 @@ impl Emitter<'_> {
         let is_length = code.integrated.iter().map(is_length);
         let joints = code.initial_rows.iter().map(|(joint, _)| self.model.joints[*joint].name.to_string());
         let levels = code.initial_rows.iter().map(|(_, [position, speed])| quote!([#position, #speed]));
-        let may_jump = code.has_kinks.then(|| {
-            quote!(
-                const MAY_JUMP: ::core::primitive::bool = true;
-            )
-        });
         let redundant = (code.redundant > 0).then(|| {
             let (count, powers) = (number(code.redundant), code.powers.iter().map(|power| number(usize::from(*power))));
             quote! {
@@ -65,7 +60,6 @@ impl Emitter<'_> {
         });
         quote! {
             #redundant
-            #may_jump
             const INTEGRATED: [::core::primitive::usize; #i] = [#(#integrated),*];
             const IS_LENGTH: [::core::primitive::bool; #i] = [#(#is_length),*];
             const JOINTS: [&'static ::core::primitive::str; #r] = [#(#joints),*];
@@ -87,6 +81,7 @@ impl Emitter<'_> {
         let [number_m, number_i, number_r] = [m, i, r].map(number);
         let accelerations = code.accelerations.as_ref().map(|routine| self.accelerations(code, routine, (n, i)));
         let checked = (!code.checked_rows.is_empty()).then(|| self.checks(code, n));
+        let sides = (!code.kinks.results.is_empty()).then(|| self.sides(code, n));
         let state = fast_lines(self.model, &code.arena, &code.state);
         let (reads_of_state, steps_of_state, parts) = (&state.reads, &state.steps, parts(&state.results));
         let energy = self.energies(&code.arena, &code.energies);
@@ -102,6 +97,7 @@ impl Emitter<'_> {
                 #found.forces = ::core::convert::From::from([#(#forces),*]);
             }
             #checked
+            #sides
             #accelerations
             #[inline(always)]
             fn complete(&self, #q: &#of_state, #qd: &#of_state, #qdd: &#of_state, #t: T) -> [#of_state; 3] {
@@ -128,6 +124,25 @@ impl Emitter<'_> {
                     return ::core::option::Option::None;
                 }
                 ::core::option::Option::Some(::core::convert::From::from([#(#values),*]))
+            }
+        }
+    }
+
+    /// On which side of every kink a place is.
+    fn sides(&self, code: &DynamicsCode, n: usize) -> TokenStream {
+        let [q, t] = ["q", "t"].map(local);
+        let of_state = vector_type(n);
+        let RoutinePrinter { reads, steps, results } = fast_lines(self.model, &code.arena, &code.kinks);
+        let bits = results.iter().enumerate().map(|(number, kink)| {
+            let place = Literal::usize_unsuffixed(number % 64);
+            quote!(^ (<::core::primitive::u64 as ::core::convert::From<::core::primitive::bool>>::from(#kink < T::ZERO) << #place))
+        });
+        quote! {
+            const HAS_KINKS: ::core::primitive::bool = true;
+            fn sides(&self, #q: &#of_state, #t: T) -> ::core::primitive::u64 {
+                #reads
+                #steps
+                0 #(#bits)*
             }
         }
     }
@@ -224,7 +239,7 @@ impl Emitter<'_> {
             pub fn step(&self, state: &mut #state<T>, h: T) -> ::core::result::Result<(), #failure> {
                 ::reuleaux::motion::fixed_step(self, &mut state.0, h)
             }
-            /// Kinetic energy, potential energy of gravity and of each `energy`, and the power of forces and of potentials that depend on time.
+            /// Kinetic energy, potential energy of gravity, of each `energy` and of forces with a `potential`, and the power of what no potential has.
             #[must_use]
             pub fn energy(&self, state: &#state<T>) -> ::reuleaux::Energy<T> {
                 ::reuleaux::Dynamics::energy(self, &state.q, &state.qd, state.t)
@@ -245,7 +260,7 @@ impl Emitter<'_> {
                 self.initial_state()
             }
             /// Takes a state to the first instant before `t` (s) at which `event` changes its sign, or to `t`. True if there is such an
-            /// instant; an event where the state begins does not count.
+            /// instant; an event where the state begins does not count, nor the one at which the same integrator stopped.
             ///
             /// # Errors
             /// Why the motion stops; the state is the last one reached.

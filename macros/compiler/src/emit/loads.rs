@@ -127,7 +127,7 @@ impl Emitter<'_> {
     fn energy(&self, code: &LoadsCode) -> TokenStream {
         let (energies, state, motion) = (self.energies(&code.arena, &code.energies), state_path(&self.model.name), motion());
         quote! {
-            /// Kinetic energy, potential energy of gravity and of each `energy`, and the power of forces and of potentials that depend on time.
+            /// Kinetic energy, potential energy of gravity, of each `energy` and of forces with a `potential`, and the power of what no potential has.
             #[must_use]
             pub fn energy(&self, state: &#state<T>) -> ::reuleaux::Energy<T> {
                 #motion

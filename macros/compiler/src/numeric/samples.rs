@@ -16,7 +16,7 @@ use crate::system::Equation;
 /// half a turn.
 const WAYS: [f64; 6] = [0.05, 0.35, 0.8, 1.4, 2.2, 3.0];
 
-/// Parts of the first distance: the end of the range may be near. Shorter ways would not show equations that hold to first order only.
+/// Parts of the first distance, where the range ends before it.
 const PARTS: &[f64] = &[1.0, 1.0 / 8.0, 1.0 / 64.0];
 
 /// Number of distances used for a large system.
@@ -52,7 +52,7 @@ pub(crate) struct Samples {
 }
 
 /// Time in s, and q.
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 pub(crate) struct Pose {
     pub(crate) time: f64,
     pub(crate) q: Vec<f64>,
@@ -172,22 +172,32 @@ impl Numeric<'_> {
         let pace = self.pace(subsystems, start);
         let unit = if pace > 0.0 { 1.0 / pace } else { WITHOUT_RATE };
         let ways = if self.system.coordinates.len() > SMALL { &WAYS[..FEW] } else { &WAYS[..] };
-        samples.holds = false;
+        let is_marked = |equation: &usize| self.model.joints[self.system.equations[*equation].joint].is_redundant;
+        let has_marked = subsystems.iter().flat_map(|subsystem| &subsystem.equations).any(is_marked);
+        // The pose at a time; an error if the equations contradict each other there, which those without redundant joints do not.
+        let at = |time: f64, from: &Pose| match self.settled(subsystems, time, from.q.clone(), &leaves_out) {
+            Some(q) => Ok(Some(Pose { time, q })),
+            None if !has_marked => Err(()),
+            None => {
+                let without = |equation: usize| leaves_out(equation) || is_marked(&equation);
+                if self.settled(subsystems, time, from.q.clone(), without).is_some() { Err(()) } else { Ok(None) }
+            }
+        };
+        let (mut is_contradiction, mut is_led) = (false, false);
         for side in [1.0, -1.0] {
             let mut here = begin.clone();
             for (number, way) in ways.iter().enumerate() {
                 // A mechanism may reach the end of its range, on one side as soon as it starts.
                 let parts = if number == 0 { PARTS } else { &PARTS[..1] };
-                let found = parts.iter().find_map(|part| {
-                    let time = side * way * part * unit;
-                    Some(Pose { time, q: self.settled(subsystems, time, here.q.clone(), &leaves_out)? })
-                });
-                let Some(pose) = found else { break };
-                samples.holds = true;
+                let found = parts.iter().map(|part| at(side * way * part * unit, &here)).find(|found| !matches!(found, Ok(None)));
+                is_contradiction |= number == 0 && found == Some(Err(()));
+                let Some(Ok(Some(pose))) = found else { break };
                 self.add(&mut samples, pose.clone());
+                is_led = true;
                 here = pose;
             }
         }
+        samples.holds = is_led && !is_contradiction;
         samples
     }
 

@@ -4,7 +4,7 @@ use super::routine::Routine;
 use super::schedule;
 use super::words::Words;
 use crate::dynamics::{Dynamics, MotionRow};
-use crate::expr::{Arena, Expr, Node, Unary};
+use crate::expr::{Arena, Expr};
 use crate::model::Model;
 use crate::system::System;
 
@@ -15,8 +15,8 @@ pub struct DynamicsCode {
     pub arena: Arena,
     /// Indices in the state of the coordinates that are integrated.
     pub integrated: Vec<usize>,
-    /// True if an equation has a kink.
-    pub has_kinks: bool,
+    /// What changes its sign at the kinks of equations.
+    pub kinks: Routine,
     /// Joint of each equation at t = 0, and whether it counts between positions and between speeds.
     pub initial_rows: Vec<(usize, [bool; 2])>,
     /// Dimension of each of these equations, as a power of a length.
@@ -79,7 +79,7 @@ pub(super) fn code(model: &Model, system: &System, dynamics: &Dynamics) -> Dynam
     let of_masses = masses.iter().map(|(_, entry)| *entry);
     DynamicsCode {
         integrated: integrated.clone(),
-        has_kinks: has_kinks(model),
+        kinks: line(dynamics.kinks.clone()),
         initial_rows: all.iter().map(level).collect(),
         powers: all.iter().map(|row| row.power).collect(),
         rows: rows.len(),
@@ -104,12 +104,4 @@ pub(super) fn code(model: &Model, system: &System, dynamics: &Dynamics) -> Dynam
         energies: line(energies.to_vec()),
         arena,
     }
-}
-
-/// True if an equation of positions contains an operation whose derivative may jump.
-fn has_kinks(model: &Model) -> bool {
-    let rows = model.joints.iter().filter(|joint| joint.freedom.is_none()).flat_map(|joint| &joint.residuals);
-    let roots: Vec<Expr> = rows.filter(|row| !row.is_velocity).map(|row| row.expr).collect();
-    let is_kink = |node: &Node| matches!(node, Node::Unary(Unary::Abs | Unary::Sign, _) | Node::Select { .. });
-    model.arena.reachable(&roots).into_iter().any(|expr| is_kink(model.arena.node(expr)))
 }

@@ -10,7 +10,7 @@
 use crate::diag::{Doubt, Warning, quantity};
 use crate::expr::{Derivatives, Evaluator, Leaf, Values};
 use crate::model::sketch::{Instantiation, JointArgument};
-use crate::model::{Joint, Model};
+use crate::model::{Joint, Model, Said};
 use crate::numeric::at_defaults;
 use crate::quantity::Dim;
 use crate::system::System;
@@ -24,10 +24,17 @@ const ROUNDED: f64 = 1e-9;
 
 /// Warnings about cams that are undercut.
 pub(super) fn undercut(model: &Model, system: &System) -> Vec<Warning> {
+    let mut said = Said::default();
     let of_joint = |(joint, made): (&Joint, &Instantiation)| {
         let (angle, radius, roller) = at_defaults(model, system, |numeric| worst(model, made, &numeric.known))?;
-        let [angle, radius] =
-            [quantity(angle.to_degrees().round().to_radians(), Dim::ANGLE), quantity((radius * 1e6).round() * 1e-6, Dim::LENGTH)];
+        // Cams of a loop are told once.
+        if !said.is_new(&joint.name) {
+            return None;
+        }
+        let [angle, radius] = [
+            quantity(((2.0 * angle.to_degrees()).round() / 2.0).to_radians(), Dim::ANGLE),
+            quantity((radius * 1e6).round() * 1e-6, Dim::LENGTH),
+        ];
         let roller = roller.map(|roller| quantity(roller, Dim::LENGTH));
         Some(Warning { doubt: Doubt::Undercut { joint: joint.name.to_string(), angle, radius, roller }, range: (&joint.name).into() })
     };
@@ -53,13 +60,23 @@ fn worst(model: &Model, made: &Instantiation, known: &Values) -> Option<(f64, f6
         _ => arena.integer(0),
     };
     let mut evaluator = Evaluator::new(&arena, &[*law, slope, bend, roller]);
-    let mut looks = (0..LOOKS).map(|look| {
-        let angle = look as f64 * TAU / LOOKS as f64 - TAU / 2.0;
-        let mut found = [0.0; 4];
+    let mut at = |angle: f64| {
+        let mut found = [f64::NAN; 4];
         evaluator.run(&Values { time: angle, ..*known }, &mut found);
-        let [law, slope, bend, roller] = found;
+        found
+    };
+    let [first, last] = [-TAU / 2.0, TAU / 2.0].map(|angle| at(angle)[0]);
+    // A law that does not repeat after a turn may be meant for a part of it. A function in Rust is not known.
+    if !((first - last).abs() <= ROUNDED * first.abs()) {
+        return None;
+    }
+    let looks = (0..LOOKS).map(|look| {
+        let angle = look as f64 * TAU / LOOKS as f64 - TAU / 2.0;
+        let [law, slope, bend, roller] = at(angle);
         if is_flat {
-            return (angle, law + bend, law + bend, None);
+            // The normal may point towards the cam.
+            let radius = law.signum() * (law + bend);
+            return (angle, radius, radius, None);
         }
         let r = law + roller;
         let square = r * r + slope * slope;
@@ -68,8 +85,8 @@ fn worst(model: &Model, made: &Instantiation, known: &Values) -> Option<(f64, f6
         let room = if curvature > 0.0 { 1.0 / curvature - roller } else { f64::INFINITY };
         (angle, room, 1.0 / curvature, Some(roller))
     });
-    let first = looks.next()?;
-    let (angle, room, radius, roller) = looks.fold(first, |worst, look| if look.1 < worst.1 { look } else { worst });
+    let (angle, room, radius, roller) =
+        looks.filter(|look| look.1.is_finite()).reduce(|worst, look| if look.1 < worst.1 { look } else { worst })?;
     let is_undercut = room < -ROUNDED * roller.unwrap_or(radius.abs());
     is_undercut.then_some((angle, radius, roller))
 }

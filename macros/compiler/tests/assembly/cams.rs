@@ -50,6 +50,15 @@ fn a_face_that_would_cut_into_its_cam_is_told() {
     );
 }
 
+/// A circle about a point beside its centre, with the normal of the face towards the cam and away from it; a law for a part of a turn.
+#[test]
+fn a_circle_is_no_matter_whichever_way_its_face_looks() {
+    let of = |law: &str| told("cam_flat(cam.position, follower.position, follower.n, law)", law);
+    assert!(of("60mm + 20mm * cos(psi)").is_empty());
+    assert!(of("-60mm - 20mm * cos(psi)").is_empty());
+    assert!(of("60mm + 20mm / 1rad^2 * (psi - 90deg)^2").is_empty());
+}
+
 /// Segments: a rise of 30 mm within 40° on a base circle of 20 mm, and the same on 200 mm.
 #[test]
 fn a_rise_that_is_too_steep_is_told() {
