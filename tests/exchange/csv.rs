@@ -275,7 +275,7 @@ mechanism! {
 fn columns_of_ones_own_are_quoted_where_they_have_to_be() -> Outcome {
     let alone = Alone::default();
     let mut table = Vec::new();
-    let columns: [(&str, &str, &dyn Fn(&AloneState) -> f64); 2] =
+    let columns: [csv::ColumnOf<AloneState, f64>; 2] =
         [("turn, in \"all\"", "rad", &|state| state.crank().angle), ("speed", "rad/s", &|state| state.crank().angular_velocity)];
     csv::write_columns(&mut table, alone.sweep([0.0, 0.5]), &columns)?;
     assert_eq!(std::str::from_utf8(&table)?, "t (s),\"turn, in \"\"all\"\" (rad)\",speed (rad/s)\n0.0,0.0,1.0\n0.5,0.5,1.0\n");

@@ -162,6 +162,9 @@ where
     tabulate(to, states, names, numbers)
 }
 
+/// A column for [`write_columns`]: its name, its unit, and the number in a state.
+pub type ColumnOf<'a, S, T> = (&'a str, &'a str, &'a dyn Fn(&S) -> T);
+
 /// Writes numbers of one's own: time, and for each state the numbers that the functions beside their names and units give. Loads, inputs and
 /// energies stand in a table this way.
 ///
@@ -193,11 +196,10 @@ where
 ///
 /// # Errors
 /// The failure with which the motion ends, or that of `to`.
-#[allow(clippy::type_complexity)] // Name, unit and function.
 pub fn write_columns<W, T, S, E, const N: usize>(
     to: W,
     states: impl IntoIterator<Item = Result<S, E>>,
-    columns: &[(&str, &str, &dyn Fn(&S) -> T)],
+    columns: &[ColumnOf<S, T>],
 ) -> Result<(), Unwritten<E>>
 where
     W: Write,

@@ -67,7 +67,8 @@ fn worst(model: &Model, made: &Instantiation, known: &Values) -> Option<(f64, f6
     };
     let [first, last] = [-TAU / 2.0, TAU / 2.0].map(|angle| at(angle)[0]);
     // A law that does not repeat after a turn may be meant for a part of it. A function in Rust is not known.
-    if !((first - last).abs() <= ROUNDED * first.abs()) {
+    let repeats = (first - last).abs() <= ROUNDED * first.abs();
+    if !repeats {
         return None;
     }
     let looks = (0..LOOKS).map(|look| {
