@@ -144,8 +144,9 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
     }
 
     /// Takes a state to the first instant before `t` at which `event` changes its sign, located to rounding, or to `t`. True if there is
-    /// such an instant; an event at the beginning does not count, nor one at which the same integrator stopped. The event is looked at eight times a step, and more
-    /// closely where it turns back near zero. It has to be smooth on the scale of a step; otherwise `longest` has to be shorter.
+    /// such an instant; an event at the beginning does not count, nor one at which the same integrator stopped. The event is looked at eight
+    /// times a step, and more closely where it turns back near zero. It has to be smooth on the scale of a step; otherwise `longest` has to be
+    /// shorter.
     ///
     /// # Errors
     /// Why the motion stops; the state is the last one reached.

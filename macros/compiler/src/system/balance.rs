@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! f_k = Σ ∂v/∂u_k · F + ∂ω/∂u_k · T      F, T: M u̇ − Q of a body, about its origin
-//! V   = Σ V_i + Σ U_j − Σ m g · r_C       P = Σ F · v_P + T · ω of the forces declared, + ∂V_i/∂t + dU_j/dt      U: potential of a force
+//! V   = Σ V_i + Σ U_j − Σ m g · r_C       U: potentials of forces
+//! P   = Σ F · v_P + T · ω + ∂V_i/∂t + dU_j/dt      F, T: of the forces declared
 //! ```
 
 use super::dynamics;
