@@ -165,8 +165,7 @@ where
 /// A column for [`write_columns`]: its name, its unit, and the number in a state.
 pub type ColumnOf<'a, S, T> = (&'a str, &'a str, &'a dyn Fn(&S) -> T);
 
-/// Writes numbers of one's own: time, and for each state the numbers that the functions beside their names and units give. Loads, inputs and
-/// energies stand in a table this way.
+/// Writes time and, for each state, one number for each column: loads, inputs, energies and the like.
 ///
 /// ```
 /// use reuleaux::{csv, mechanism};

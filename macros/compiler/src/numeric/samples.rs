@@ -16,7 +16,7 @@ use crate::system::Equation;
 /// half a turn.
 const WAYS: [f64; 6] = [0.05, 0.35, 0.8, 1.4, 2.2, 3.0];
 
-/// Parts of the first distance, where the range ends before it.
+/// Parts of the first distance that are tried in turn where the range of the mechanism ends before it.
 const PARTS: &[f64] = &[1.0, 1.0 / 8.0, 1.0 / 64.0];
 
 /// Number of distances used for a large system.

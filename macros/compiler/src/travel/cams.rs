@@ -27,7 +27,7 @@ pub(super) fn undercut(model: &Model, system: &System) -> Vec<Warning> {
     let mut said = Said::default();
     let of_joint = |(joint, made): (&Joint, &Instantiation)| {
         let (angle, radius, roller) = at_defaults(model, system, |numeric| worst(model, made, &numeric.known))?;
-        // Cams of a loop are told once.
+        // One warning for all cams of a loop.
         if !said.is_new(&joint.name) {
             return None;
         }
@@ -66,7 +66,7 @@ fn worst(model: &Model, made: &Instantiation, known: &Values) -> Option<(f64, f6
         found
     };
     let [first, last] = [-TAU / 2.0, TAU / 2.0].map(|angle| at(angle)[0]);
-    // A law that does not repeat after a turn may be meant for a part of it. A function in Rust is not known.
+    // A law that does not repeat after a turn may be meant for a part of one. Of a function in Rust no values are known.
     let repeats = (first - last).abs() <= ROUNDED * first.abs();
     if !repeats {
         return None;

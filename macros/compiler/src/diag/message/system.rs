@@ -47,7 +47,7 @@ impl Display for SystemFact {
             SystemFact::Massless { bodies, has_any, without_inertia, zero } => {
                 write!(f, "no mass or inertia resists a motion of {}: its acceleration does not follow from forces", list(bodies))?;
                 if !zero.is_empty() {
-                    return write!(f, "\nhelp: what is declared of {} is 0: write its mass and its inertia", list(zero));
+                    return write!(f, "\nhelp: the mass and the inertia declared for {} are 0: write those that it has", list(zero));
                 }
                 if !without_inertia.is_empty() {
                     let have = if without_inertia.len() == 1 { "has" } else { "have" };
