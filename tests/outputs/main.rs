@@ -2,6 +2,7 @@
 
 mod jerk;
 mod jerk_in_space;
+mod splines;
 mod tables;
 mod velocities;
 mod velocities_in_space;

@@ -82,7 +82,7 @@ codes! {
     E0203: Arity::UnknownArgument Array::ParameterAsArgument;
     E0204: Arity::DuplicateArgument;
     E0205: Arity::PositionalAfterNamed;
-    E0206: Arity::FunctionArity Arity::ShapeArity Value::TableArity Value::SegmentsArity;
+    E0206: Arity::FunctionArity Arity::ShapeArity Value::TableArity Value::SplineArity Value::SegmentsArity;
     E0207: Grammar::OneArgument Value::FunctionNeedsArgument;
     E0208: Arity::DefaultBefore;
     // Kinds and dimensions.
@@ -109,11 +109,11 @@ codes! {
     E0407: Value::NotFixed;
     E0408: Value::EqualityInChoice;
     E0409: Value::ListOutsideTable Value::TableNeedsList Value::TableNeedsPairs Value::TableTooShort Value::SegmentsNeedList
-        Value::NotASegment;
+        Value::NotASegment Value::SplineTooLong;
     E0410: Value::TableNotIncreasing;
-    E0411: Value::TableNotPeriodic Value::TableEnds Value::SegmentsEnds;
+    E0411: Value::TableNotPeriodic Value::TableEnds Value::SplineEnds Value::SegmentsEnds;
     E0412: Value::MeansSpace Value::OnlyInSpace Value::OnlyInPlane Motion::InertiaAlongInPlane;
-    E0413: Value::SegmentWithoutDuration;
+    E0413: Value::SegmentWithoutDuration Value::SharesOfLaw;
     E0414: Value::SegmentsMissTurn;
     E0415: Value::SegmentsDoNotReturn;
     E0416: Value::SegmentsJolt;

@@ -1,12 +1,14 @@
-//! Functions given piece by piece: tables of points, and programs of segments.
+//! Functions given piece by piece: tables of points, splines, programs of segments, and laws in parts.
 //!
 //! In: the arguments of a call as written, and a [`Valuer`] that evaluates them. Out: one expression. Checked here: whether points and
 //! segments fit together. Not done here: names, which the valuer knows.
 
+mod piecewise;
+mod scca;
 mod segments;
+mod spline;
 mod table;
 
-pub(crate) use segments::{SEGMENTS, segments};
 pub(crate) use table::table;
 
 use crate::diag::{Fact, Range};
@@ -15,6 +17,30 @@ use crate::expr::{Arena, Expr};
 use crate::model::Requirement;
 use crate::names::{Scalar, Scope};
 use crate::syntax::ast;
+use proc_macro2::Ident;
+
+/// The word before a program.
+pub(crate) const SEGMENTS: &str = "segments";
+
+/// The word before a spline with conditions at its ends.
+pub(crate) const SPLINE: &str = "spline";
+
+/// The word before a law whose acceleration is sine, constant and cosine.
+pub(crate) const SCCA: &str = "scca";
+
+/// The words of this module that a declared function may have, too.
+pub(crate) const WORDS: &[&str] = &[SEGMENTS, SPLINE, SCCA];
+
+/// The expression of a call of one of these words.
+pub(crate) fn called(work: &mut impl Valuer, name: &Ident, arguments: &[ast::Expression], scope: &Scope) -> Option<Scalar> {
+    if name == SPLINE {
+        spline::spline(work, name, arguments, scope)
+    } else if name == SCCA {
+        scca::scca(work, name, arguments, scope)
+    } else {
+        segments::segments(work, name, arguments, scope)
+    }
+}
 
 /// Evaluates the expressions inside a profile.
 pub(crate) trait Valuer {

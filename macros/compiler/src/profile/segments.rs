@@ -8,21 +8,21 @@
 //!   dwell   y
 //! ```
 //!
+//! A law is named, as `cycloidal`, or is `scca(b, c)` or `spline([…])` without the argument u.
+//!
 //! A periodic program over an angle fills one turn, over another quantity it repeats after the sum of its durations; any other rests before
 //! its beginning and after its end.
 
-use super::Valuer;
+use super::piecewise::{piecewise, turn, wrapped};
+use super::{SCCA, SEGMENTS, SPLINE, Valuer};
 use crate::diag::{ArityFact, Range, ValueFact};
-use crate::expr::{Binary, Exact, Expr, Leaf, Unary, derivative};
+use crate::expr::{Exact, Expr, Leaf, Unary, derivative};
 use crate::model::Requirement;
 use crate::names::{Scalar, Scope, Value};
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{self, ExpressionKind, Relation};
 use core::f64::consts::TAU;
 use proc_macro2::Ident;
-
-/// The word before a program.
-pub(crate) const SEGMENTS: &str = "segments";
 
 /// Relative tolerance of sums of durations and of heights, which may be quotients such as 360°/7.
 const SUM: f64 = 1e-9;
@@ -44,9 +44,16 @@ struct Segment<'a> {
     duration_range: Range,
     /// Height that is added, negative for a fall, with the range of its number; `None` for a dwell.
     height: Option<(Expr, Range)>,
-    law: Option<&'a ast::Path>,
+    law: Option<Law<'a>>,
     /// Velocities at the declared defaults.
     slopes: Slopes,
+}
+
+/// A function of u, with the arguments after u.
+#[derive(Clone, Copy)]
+struct Law<'a> {
+    path: &'a ast::Path,
+    others: &'a [ast::Expression],
 }
 
 /// A program while it is read.
@@ -126,9 +133,8 @@ fn add<'a>(work: &mut impl Valuer, program: &mut Program<'a>, item: &'a ast::Exp
         None => None,
     };
     let height = height.map(|(up, range)| (if word == "fall" { work.arena().neg(up) } else { up }, range));
-    let law = match law.map(|law| (&law.kind, law.range)) {
-        Some((ExpressionKind::Path(path), _)) => Some(path),
-        Some((_, range)) => return work.reject(range, ValueFact::NotALaw),
+    let law = match law {
+        Some(law) => Some(named_law(work, law)?),
         None => None,
     };
     let (begin, before) = (program.times[program.segments.len()], program.heights[program.segments.len()]);
@@ -158,15 +164,27 @@ fn fixed(work: &mut impl Valuer, expr: &ast::Expression, measure: &mut InferredD
     Some(scalar.expr)
 }
 
+/// The law that is written in a segment.
+fn named_law<'a>(work: &mut impl Valuer, law: &'a ast::Expression) -> Option<Law<'a>> {
+    match &law.kind {
+        ExpressionKind::Path(path) => Some(Law { path, others: &[] }),
+        ExpressionKind::Call(path, others) if path.name.as_ref().is_some_and(|name| name == SCCA || name == SPLINE) => {
+            Some(Law { path, others })
+        }
+        _ => work.reject(law.range, ValueFact::NotALaw),
+    }
+}
+
 /// f(u), the law of a segment.
-fn law(work: &mut impl Valuer, path: &ast::Path, u: Expr, scope: &Scope) -> Option<Expr> {
+fn law(work: &mut impl Valuer, Law { path, others }: Law, u: Expr, scope: &Scope) -> Option<Expr> {
     // No name can be written like this one.
     let name = Ident::new("__u", path.last.span());
     let mut scope = scope.clone();
     scope.bound.push((name.to_string(), Value::Scalar(Scalar { expr: u, measure: InferredDim::Known(Dim::NUMBER) })));
     let argument = ast::Path { tokens: quote::ToTokens::to_token_stream(&name), last: name.clone(), name: Some(name), range: path.range };
     let argument = ast::Expression { kind: ExpressionKind::Path(argument), range: path.range, depth: 1 };
-    let call = ast::Expression { kind: ExpressionKind::Call(path.clone(), vec![argument]), range: path.range, depth: 2 };
+    let arguments = core::iter::once(argument).chain(others.iter().cloned()).collect();
+    let call = ast::Expression { kind: ExpressionKind::Call(path.clone(), arguments), range: path.range, depth: 2 };
     let value = work.number(&call, &scope)?;
     if !value.measure.fits(Dim::NUMBER) {
         return work.reject(path.range, ValueFact::WrongDimension { wanted: Dim::NUMBER, found: value.measure.settled() });
@@ -176,7 +194,8 @@ fn law(work: &mut impl Valuer, path: &ast::Path, u: Expr, scope: &Scope) -> Opti
 
 /// Checks that the law of a segment goes from 0 to 1, and reads the velocities there.
 fn slopes(work: &mut impl Valuer, segment: &Segment, scope: &Scope) -> Option<Slopes> {
-    let (Some((height, _)), Some(path)) = (segment.height, segment.law) else { return Some([0.0; 2]) };
+    let (Some((height, _)), Some(of)) = (segment.height, segment.law) else { return Some([0.0; 2]) };
+    let path = of.path;
     let inside = Exact::ratio(1, INSIDE).unwrap_or(Exact::ONE);
     let mut at = |from_end: bool| {
         // The time stands for the argument of the law, and is 0.
@@ -184,7 +203,7 @@ fn slopes(work: &mut impl Valuer, segment: &Segment, scope: &Scope) -> Option<Sl
         let (one, inside) = (arena.integer(1), arena.constant(inside));
         let end = if from_end { arena.sub(one, inside) } else { inside };
         let u = arena.add(time, end);
-        let value = law(work, path, u, scope)?;
+        let value = law(work, of, u, scope)?;
         let slope = derivative(work.arena(), value, Leaf::Time);
         let found = work.at_defaults(&[value, slope, height, segment.duration]);
         Some((found[0], found[1] * found[2] / found[3]))
@@ -258,7 +277,7 @@ fn largest_velocity(work: &mut impl Valuer, program: &Program) -> f64 {
 
 /// The law of a segment, or the word for one without.
 fn named(segment: &Segment) -> String {
-    segment.law.map_or(segment.word, |path| &path.last).to_string()
+    segment.law.map_or(segment.word, |law| &law.path.last).to_string()
 }
 
 /// States what must hold for other values of the parameters, too.
@@ -300,26 +319,21 @@ fn state(work: &mut impl Valuer, range: Range, [lhs, rhs]: [Expr; 2], relation: 
     }
 }
 
-fn turn(work: &mut impl Valuer) -> Expr {
-    let half = work.arena().constant(Exact::PI);
-    work.arena().twice(half)
-}
-
 /// The height at x.
 fn expression(work: &mut impl Valuer, program: &Program, scope: &Scope) -> Option<Expr> {
     let [end, last] = program.end();
-    let x = if program.is_periodic { wrapped(work, program) } else { program.x.expr };
+    let x = if program.is_periodic { wrapped(work, program.x.expr, end, program.is_turn()) } else { program.x.expr };
     let mut pieces = Vec::new();
     for (index, segment) in program.segments.iter().enumerate() {
         let (begin, before) = (program.times[index], program.heights[index]);
-        let (Some((height, _)), Some(path)) = (segment.height, segment.law) else {
+        let (Some((height, _)), Some(of)) = (segment.height, segment.law) else {
             pieces.push((begin, before));
             continue;
         };
         let arena = work.arena();
         let since = arena.sub(x, begin);
         let u = arena.div(since, segment.duration);
-        let value = law(work, path, u, scope)?;
+        let value = law(work, of, u, scope)?;
         let rise = work.arena().mul(height, value);
         pieces.push((begin, work.arena().add(before, rise)));
     }
@@ -328,45 +342,4 @@ fn expression(work: &mut impl Valuer, program: &Program, scope: &Scope) -> Optio
         pieces.push((end, last));
     }
     Some(piecewise(work, x, &pieces))
-}
-
-/// The piece that begins last before x. The first one needs no beginning.
-fn piecewise(work: &mut impl Valuer, x: Expr, pieces: &[(Expr, Expr)]) -> Expr {
-    let (early, late) = pieces.split_at(pieces.len() / 2);
-    match (early, late) {
-        ([], late) => late.first().map_or(x, |(_, only)| *only),
-        (early, late) => {
-            let (before, after) = (piecewise(work, x, early), piecewise(work, x, late));
-            work.arena().select(x, late[0].0, before, after)
-        }
-    }
-}
-
-/// x brought between 0 and the period: x itself where it is from 0 to a period, and the same a period later.
-///
-/// ```text
-///   w = P/2 + P/2π atan2(−sin(2πx/P), −cos(2πx/P))
-/// ```
-fn wrapped(work: &mut impl Valuer, program: &Program) -> Expr {
-    let [period, _] = program.end();
-    let (turn, half) = (turn(work), work.arena().constant(Exact::PI));
-    let arena = work.arena();
-    let angle = match program.is_turn() {
-        true => program.x.expr,
-        false => {
-            let share = arena.div(program.x.expr, period);
-            arena.mul(turn, share)
-        }
-    };
-    let (sine, cosine) = (arena.sin(angle), arena.cos(angle));
-    let (sine, cosine) = (arena.neg(sine), arena.neg(cosine));
-    let from_middle = arena.binary(Binary::Atan2, sine, cosine);
-    let wrapped = arena.add(half, from_middle);
-    match program.is_turn() {
-        true => wrapped,
-        false => {
-            let share = arena.div(wrapped, turn);
-            arena.mul(share, period)
-        }
-    }
 }

@@ -1,7 +1,8 @@
-//! `table(x, [(x0, y0), …], periodic)`: a spline through points.
+//! `table(x, [(x0, y0), …], periodic)`: a cubic spline through points.
 
 use super::Valuer;
-use crate::diag::ValueFact;
+use crate::diag::{Range, ValueFact};
+use crate::expr::Exact;
 use crate::expr::spline::{Ends, Table};
 use crate::names::{Scalar, Scope};
 use crate::quantity::InferredDim;
@@ -19,41 +20,78 @@ pub(crate) fn table(work: &mut impl Valuer, name: &Ident, arguments: &[ast::Expr
         return work.reject(points.range, ValueFact::TableNeedsList);
     };
     let argument = work.number(x, scope)?;
-    let mut to = InferredDim::Any;
-    let pairs = pairs(work, items, argument.measure, &mut to, scope)?;
-    let (Some(first), Some(last), Some(end)) = (pairs.first(), pairs.last(), items.last().filter(|_| pairs.len() > 1)) else {
-        return work.reject(points.range, ValueFact::TableTooShort { found: pairs.len() });
-    };
-    if ends == Ends::Periodic && first.1 != last.1 {
-        return work.reject(end.range, ValueFact::TableNotPeriodic { first: first.1, last: last.1, dim: to.settled() });
+    let mut columns = [argument.measure, InferredDim::Any];
+    let read = pairs(work, "table", points.range, items, &mut columns, scope)?;
+    let pairs: Vec<(f64, f64)> = read.iter().map(|[x, y]| (x.to_f64(), y.to_f64())).collect();
+    if ends == Ends::Periodic {
+        returns(work, "table", items, &read, columns[1])?;
     }
     let number = work.table_number(Table::through(&pairs, ends));
-    Some(Scalar { expr: work.arena().call(number, 0, argument.expr), measure: to })
+    Some(Scalar { expr: work.arena().call(number, 0, argument.expr), measure: columns[1] })
 }
 
-/// Reads the pairs of a table; their first numbers must increase.
-fn pairs(
+/// Reads the points of a `table` or a `spline`, two at least, whose first numbers must increase.
+pub(super) fn pairs(
     work: &mut impl Valuer,
+    word: &'static str,
+    range: Range,
     items: &[ast::Expression],
-    mut from: InferredDim,
-    to: &mut InferredDim,
+    columns: &mut [InferredDim; 2],
     scope: &Scope,
-) -> Option<Vec<(f64, f64)>> {
-    let mut pairs: Vec<(f64, f64)> = Vec::new();
+) -> Option<Vec<[Exact; 2]>> {
+    let mut pairs: Vec<[Exact; 2]> = Vec::new();
     for item in items {
-        let ExpressionKind::Tuple(pair) = &item.kind else {
-            return work.reject(item.range, ValueFact::TableNeedsPairs);
-        };
-        let [at, value] = pair.as_slice() else {
-            return work.reject(item.range, ValueFact::TableNeedsPairs);
-        };
-        let (x, y) = (entry(work, at, &mut from, scope)?, entry(work, value, to, scope)?);
-        if let Some((before, _)) = pairs.last().filter(|last| last.0 >= x) {
-            return work.reject(at.range, ValueFact::TableNotIncreasing { before: *before, found: x, dim: from.settled() });
+        let [at, _] = pair(work, item)?;
+        let [x, y] = values(work, word, item, columns, scope)?;
+        if let Some([before, _]) = pairs.last().filter(|last| last[0].to_f64() >= x.to_f64()) {
+            let [before, found] = [before, &x].map(|value| value.to_f64());
+            return work.reject(at.range, ValueFact::TableNotIncreasing { word, before, found, dim: columns[0].settled() });
         }
-        pairs.push((x, y));
+        pairs.push([x, y]);
     }
-    Some(pairs)
+    match pairs.len() {
+        found @ (0 | 1) => work.reject(range, ValueFact::TableTooShort { word, found }),
+        _ => Some(pairs),
+    }
+}
+
+/// Checks that the last point has the value of the first.
+pub(super) fn returns(
+    work: &mut impl Valuer,
+    word: &'static str,
+    items: &[ast::Expression],
+    pairs: &[[Exact; 2]],
+    to: InferredDim,
+) -> Option<()> {
+    let (Some(end), [[_, first], .., [_, last]]) = (items.last(), pairs) else { return Some(()) };
+    let [first, last] = [first, last].map(|value| value.to_f64());
+    if first != last {
+        return work.reject(end.range, ValueFact::TableNotPeriodic { word, first, last, dim: to.settled() });
+    }
+    Some(())
+}
+
+/// The two numbers of a pair as written.
+fn pair<'a>(work: &mut impl Valuer, item: &'a ast::Expression) -> Option<[&'a ast::Expression; 2]> {
+    match &item.kind {
+        ExpressionKind::Tuple(pair) => match pair.as_slice() {
+            [one, two] => Some([one, two]),
+            _ => work.reject(item.range, ValueFact::TableNeedsPairs),
+        },
+        _ => work.reject(item.range, ValueFact::TableNeedsPairs),
+    }
+}
+
+/// The two constants of a pair.
+pub(super) fn values(
+    work: &mut impl Valuer,
+    word: &'static str,
+    item: &ast::Expression,
+    [from, to]: &mut [InferredDim; 2],
+    scope: &Scope,
+) -> Option<[Exact; 2]> {
+    let [one, two] = pair(work, item)?;
+    Some([entry(work, word, one, from, scope)?, entry(work, word, two, to, scope)?])
 }
 
 fn ends(work: &mut impl Valuer, expr: &ast::Expression) -> Option<Ends> {
@@ -70,17 +108,23 @@ fn ends(work: &mut impl Valuer, expr: &ast::Expression) -> Option<Ends> {
     }
 }
 
-/// Evaluates one constant of a table; all entries of a column have the same dimension.
-fn entry(work: &mut impl Valuer, entry: &ast::Expression, column: &mut InferredDim, scope: &Scope) -> Option<f64> {
+/// Evaluates one constant; all entries of a column have the same dimension.
+fn entry(work: &mut impl Valuer, word: &'static str, entry: &ast::Expression, column: &mut InferredDim, scope: &Scope) -> Option<Exact> {
     let scalar = work.number(entry, scope)?;
     let Some(common) = column.common(scalar.measure) else {
         return work.reject(entry.range, ValueFact::WrongDimension { wanted: column.settled(), found: scalar.measure.settled() });
     };
     *column = common;
-    match work.arena().as_constant(scalar.expr) {
-        Some(value) => Some(value.to_f64()),
-        None => {
-            work.reject(entry.range, ValueFact::NotConstant { place: "an entry of a table", help: "multiply the table by what changes" })
-        }
+    let (place, help) = match word {
+        "table" => ("an entry of a table", "multiply the table by what changes"),
+        _ => ("an entry of a spline", "multiply the spline by what changes"),
+    };
+    let exact = work.arena().as_constant(scalar.expr);
+    // A root or a sine of numbers has no exact value.
+    let is_number = work.arena().leaves(scalar.expr).is_empty();
+    let constant = exact.or_else(|| is_number.then(|| work.at_defaults(&[scalar.expr])[0]).and_then(Exact::binary));
+    match constant {
+        Some(value) => Some(value),
+        None => work.reject(entry.range, ValueFact::NotConstant { place, help }),
     }
 }

@@ -8,7 +8,7 @@ use crate::expr::spline::Table;
 use crate::expr::{Arena, Expr, Unary};
 use crate::library;
 use crate::names::{BUILTINS, Fixed, FunctionValue, Key, Scalar, Scope, Value, Vector};
-use crate::profile::{SEGMENTS, Valuer, segments, table};
+use crate::profile::{self, SEGMENTS, Valuer, table};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, ExpressionKind};
 use proc_macro2::Ident;
@@ -24,8 +24,8 @@ impl Elaborator<'_> {
         if BUILTINS.contains(&name.to_string().as_str()) {
             return self.builtin(range, name, arguments, scope);
         }
-        if !is_bound && name == SEGMENTS {
-            return segments(self, name, arguments, scope).map(Value::Scalar);
+        if !is_bound && profile::WORDS.iter().any(|word| name == word) {
+            return profile::called(self, name, arguments, scope).map(Value::Scalar);
         }
         if !is_bound && name == super::speeds::RATE {
             return self.rate(name, arguments, scope);
@@ -58,7 +58,7 @@ impl Elaborator<'_> {
     /// True if there is a function of this name.
     pub(super) fn is_function(&self, name: &Ident, scope: &Scope) -> bool {
         let word = name.to_string();
-        let built_in = BUILTINS.iter().chain(super::space::BUILTINS.iter()).chain([&SEGMENTS, &super::speeds::RATE]);
+        let built_in = BUILTINS.iter().chain(super::space::BUILTINS.iter()).chain(profile::WORDS).chain([&super::speeds::RATE]);
         self.is_bound_function(name, scope) || built_in.into_iter().any(|known| *known == word) || self.is_library_function(name)
     }
 
@@ -67,7 +67,8 @@ impl Elaborator<'_> {
         let declared = scope.space.is_some().then(|| self.names.functions());
         let known = bound
             .chain(BUILTINS.iter().copied())
-            .chain([SEGMENTS, super::speeds::RATE])
+            .chain(profile::WORDS.iter().copied())
+            .chain([super::speeds::RATE])
             .chain(library::functions())
             .chain(declared.into_iter().flatten());
         self.nearest(&name.to_string(), known)

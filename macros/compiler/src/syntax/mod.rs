@@ -20,7 +20,7 @@ mod salvage;
 mod tokens;
 
 use crate::diag::{Diag, GrammarFact, Refusal};
-use ast::{Definition, Definitions, FunctionItem, Mechanism};
+use ast::{Definition, Definitions, Expression, FunctionItem, Mechanism};
 use proc_macro2::{Span, TokenStream, TokenTree};
 use syn::parse::{ParseStream, Parser};
 
@@ -45,6 +45,11 @@ pub(crate) fn parse_exported(tokens: TokenStream, diag: &mut Diag) -> Option<Vec
 /// Parses a function of the library.
 pub(crate) fn parse_function(tokens: TokenStream, diag: &mut Diag) -> Option<FunctionItem> {
     run(tokens, diag, item::single_function)
+}
+
+/// Parses a formula of the compiler's own.
+pub(crate) fn parse_formula(tokens: TokenStream) -> Option<Expression> {
+    (|input: ParseStream| expression::expression(input).map_err(|_| input.error("no formula"))).parse2(tokens).ok()
 }
 
 /// Deepest nesting of delimiters, so that no walk over tokens can exhaust the stack.

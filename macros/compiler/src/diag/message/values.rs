@@ -165,23 +165,40 @@ impl Display for ValueFact {
                 write!(f, "equality of measured numbers is an accident\nhelp: compare with `<`, `<=`, `>` or `>=`")
             }
             ValueFact::ListOutsideTable => {
-                write!(f, "a list can only be an argument of `table` or `segments`\nhelp: a vector is written `(x, y)`")
+                write!(f, "a list can only be an argument of `table`, `spline` or `segments`\nhelp: a vector is written `(x, y)`")
             }
             ValueFact::TableArity { found } => {
                 write!(f, "`table` takes 2 or 3 arguments, found {found}\nnote: `table(x, [(x0, y0), (x1, y1), …], periodic)`")
             }
             ValueFact::TableNeedsList => write!(f, "expected a list of pairs, such as `[(0deg, 0mm), (90deg, 5mm)]`"),
             ValueFact::TableNeedsPairs => write!(f, "expected a pair, such as `(90deg, 5mm)`"),
-            ValueFact::TableNotIncreasing { before, found, dim } => {
+            ValueFact::TableNotIncreasing { word, before, found, dim } => {
                 let [found, before] = [found, before].map(|value| remedy::quantity(*value, *dim));
-                write!(f, "the first numbers of a table must increase from pair to pair: {found} comes after {before}")
+                write!(f, "the first numbers of a {word} must increase from pair to pair: {found} comes after {before}")
             }
-            ValueFact::TableTooShort { found } => write!(f, "a table needs at least 2 pairs, found {found}"),
-            ValueFact::TableNotPeriodic { first, last, dim } => {
+            ValueFact::TableTooShort { word, found } => write!(f, "a {word} needs at least 2 pairs, found {found}"),
+            ValueFact::TableNotPeriodic { word, first, last, dim } => {
                 let [first, last] = [first, last].map(|value| remedy::quantity(*value, *dim));
-                write!(f, "a periodic table ends with the value it begins with: it begins with {first} and ends with {last}")
+                write!(f, "a periodic {word} ends with the value it begins with: it begins with {first} and ends with {last}")
             }
             ValueFact::TableEnds { found } => write!(f, "outside its range a table is `periodic`, `linear` or `hold`, not {found}"),
+            ValueFact::SplineArity { found } => {
+                write!(f, "`spline` takes 2 or 3 arguments, found {found}\nnote: `spline(x, [(x0, y0), (x1, y1), …], periodic)`")
+            }
+            ValueFact::SplineTooLong { found, limit } => {
+                write!(f, "a spline goes through {limit} points at most, found {found}\nhelp: `table` takes any number of points")
+            }
+            ValueFact::SplineEnds => {
+                write!(f, "a spline is `periodic`, rests at both ends, `hold`, or has a velocity and an acceleration at each")?;
+                write!(f, "\nhelp: write `[(v0, a0), (v1, a1)]`, the derivatives at the first and at the last point")
+            }
+            ValueFact::SharesOfLaw { found: [b, c] } => {
+                let [b, c] = [*b, *c].map(significant);
+                write!(
+                    f,
+                    "`scca(u, b, c)` has shares b and c of the duration that are not negative and at most 1 together, found {b} and {c}"
+                )
+            }
             ValueFact::SegmentsArity { found } => {
                 write!(f, "`segments` takes 3 or 4 arguments, found {found}")?;
                 write!(f, "\nnote: `segments(x, y0, [rise(height, duration, law), dwell(duration), …], periodic)`")
@@ -191,7 +208,9 @@ impl Display for ValueFact {
             ValueFact::NotASegment => {
                 write!(f, "a segment is `rise(height, duration, law)`, `fall(height, duration, law)` or `dwell(duration)`")
             }
-            ValueFact::NotALaw => write!(f, "expected the name of a law, such as `cycloidal` or a function of a number"),
+            ValueFact::NotALaw => {
+                write!(f, "expected the name of a law, such as `cycloidal` or a function of a number, `scca(b, c)` or `spline([…])`")
+            }
             ValueFact::SegmentWithoutDuration { found, dim } => {
                 write!(f, "the duration of a segment is positive, found {}", remedy::quantity(*found, *dim))
             }
