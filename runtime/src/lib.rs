@@ -219,6 +219,7 @@ pub use reuleaux_view as view;
 /// | [`sweeps`](guide::sweeps) | 10 | follow a motion and read numbers from it |
 /// | [`dead_points`](guide::dead_points) | 10 | why a linkage locks, and how to choose its assembly |
 /// | [`loads_and_motion`](guide::loads_and_motion) | 15 | bearing forces, motors, motion that follows from forces |
+/// | [`small_motions`](guide::small_motions) | 10 | rest, natural frequencies, the linear model for a controller |
 /// | [`optimising`](guide::optimising) | 15 | find dimensions, with exact derivatives |
 /// | [`parameter_sets`](guide::parameter_sets) | 15 | many mechanisms of one declaration |
 /// | [`files`](guide::files) | 10 | parameters from a file, motions as a table |
@@ -238,6 +239,8 @@ pub mod guide {
     pub mod dead_points {}
     #[doc = include_str!("guide/loads_and_motion.md")]
     pub mod loads_and_motion {}
+    #[doc = include_str!("guide/small_motions.md")]
+    pub mod small_motions {}
     #[doc = include_str!("guide/optimising.md")]
     pub mod optimising {}
     #[doc = include_str!("guide/parameter_sets.md")]
