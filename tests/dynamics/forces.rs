@@ -133,7 +133,7 @@ mechanism! {
     pub(crate) mechanism Windy in space {
         gravity = (0m_s2, 0m_s2, -9.81m_s2);
         ground { axis z = (0, 0, 1);  point far = (2m, 0m, 0m); }
-        body arm  { axis z = (0, 0, 1);  axis y = (0, 1, 0);  point end = (1m, 0m, 0m);  mass = 2kg;  inertia = rod(1m); }
+        body arm  { axis z = (0, 0, 1);  axis y = (0, 1, 0);  point end = (1m, 0m, 0m);  mass = 2kg;  center = (0m, 0m, 0m);  inertia = rod(1m); }
         body fan  { axis y = (0, 1, 0);  point tip = (0m, 0m, 0.2m);  mass = 0.5kg;  inertia = ball(100mm); }
         slice joint shoulder = revolute(ground.position, ground.z, arm.position, arm.z);
         slice joint hub = revolute(arm.end, arm.y, fan.position, fan.y);

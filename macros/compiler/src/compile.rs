@@ -156,6 +156,7 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
     }
     let mut model = resolve::resolve(tree, definitions, diag)?;
     model.doubts.extend(hints::bare_angles(tree));
+    model.doubts.extend(hints::centered_rods(tree));
     // Every name is an id, every quantity has a dimension.
     let doubts = model.doubts.clone();
     let compiled = after_names(model, diag);

@@ -63,6 +63,17 @@ pub enum Doubt {
         /// The number as written.
         number: String,
     },
+    /// A rod whose centre is the origin of its body does not reach a point at the distance of its length.
+    CenteredRod {
+        /// The body.
+        body: String,
+        /// The point.
+        point: String,
+        /// The middle of the rod, as it may be written.
+        center: String,
+        /// The origin, as it may be written.
+        origin: String,
+    },
     /// The surface of a cam cannot be made.
     Undercut {
         /// The joint.
@@ -98,6 +109,7 @@ impl Warning {
             Doubt::FarStart { .. } | Doubt::FarOrientation { .. } => "far_start",
             Doubt::BareLength { .. } => "bare_length",
             Doubt::BareAngle { .. } => "bare_angle",
+            Doubt::CenteredRod { .. } => "centered_rod",
             Doubt::Undercut { .. } => "undercut",
             Doubt::MotionEnds(_) => "motion_ends",
         };

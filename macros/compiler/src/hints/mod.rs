@@ -1,8 +1,8 @@
 //! Guesses at the intent of a declaration, from the tree alone, without resolving names.
 //!
 //! In: expressions and items as written. Out: whether they are meant in space, lengths that were probably not meant in metres and angles not
-//! in radians, forms that are often written in place of others, what outputs probably are, which names generated functions have, and names
-//! that nothing uses. Not done here: reporting, which `resolve` does, as it knows the meaning of names.
+//! in radians, rods whose centre was forgotten, forms that are often written in place of others, what outputs probably are, which names
+//! generated functions have, and names that nothing uses. Not done here: reporting, which `resolve` does, as it knows the meaning of names.
 
 mod ambient;
 mod angles;
@@ -11,6 +11,7 @@ mod generated;
 mod lengths;
 mod outputs;
 mod promised;
+mod rods;
 mod unused;
 
 pub(crate) use ambient::{is_meant, means_space};
@@ -23,4 +24,5 @@ pub(crate) use generated::{is_generated, is_of_generated_type};
 pub(crate) use lengths::Lengths;
 pub(crate) use outputs::{OutputKind, derivatives, output_kind};
 pub(crate) use promised::{has_forces, has_inputs};
+pub(crate) use rods::centered_rods;
 pub(crate) use unused::unused;

@@ -44,14 +44,14 @@ struct Segment<'a> {
     duration_range: Range,
     /// Height that is added, negative for a fall, with the range of its number; `None` for a dwell.
     height: Option<(Expr, Range)>,
-    law: Option<Law<'a>>,
+    law: Option<SegmentLaw<'a>>,
     /// Velocities at the declared defaults.
     slopes: Slopes,
 }
 
 /// A function of u, with the arguments after u.
 #[derive(Clone, Copy)]
-struct Law<'a> {
+struct SegmentLaw<'a> {
     path: &'a ast::Path,
     others: &'a [ast::Expression],
 }
@@ -165,18 +165,18 @@ fn fixed(work: &mut impl Valuer, expr: &ast::Expression, measure: &mut InferredD
 }
 
 /// The law that is written in a segment.
-fn named_law<'a>(work: &mut impl Valuer, law: &'a ast::Expression) -> Option<Law<'a>> {
+fn named_law<'a>(work: &mut impl Valuer, law: &'a ast::Expression) -> Option<SegmentLaw<'a>> {
     match &law.kind {
-        ExpressionKind::Path(path) => Some(Law { path, others: &[] }),
+        ExpressionKind::Path(path) => Some(SegmentLaw { path, others: &[] }),
         ExpressionKind::Call(path, others) if path.name.as_ref().is_some_and(|name| name == SCCA || name == SPLINE) => {
-            Some(Law { path, others })
+            Some(SegmentLaw { path, others })
         }
         _ => work.reject(law.range, ValueFact::NotALaw),
     }
 }
 
 /// f(u), the law of a segment.
-fn law(work: &mut impl Valuer, Law { path, others }: Law, u: Expr, scope: &Scope) -> Option<Expr> {
+fn law(work: &mut impl Valuer, SegmentLaw { path, others }: SegmentLaw, u: Expr, scope: &Scope) -> Option<Expr> {
     // No name can be written like this one.
     let name = Ident::new("__u", path.last.span());
     let mut scope = scope.clone();

@@ -20,7 +20,7 @@ const MOST: usize = 64;
 
 /// What is known at the ends.
 #[derive(Clone, Copy, PartialEq)]
-enum Ends {
+enum SplineEnds {
     Periodic,
     /// Velocity and acceleration at the first and at the last point.
     Given([[f64; 2]; 2]),
@@ -45,9 +45,9 @@ pub(super) fn spline(work: &mut impl Valuer, name: &Ident, arguments: &[ast::Exp
     let mut measure = columns[1];
     let ends = match ends {
         Some(ends) => read(work, ends, argument.measure, &mut measure, scope)?,
-        None => Ends::Given([[0.0; 2]; 2]),
+        None => SplineEnds::Given([[0.0; 2]; 2]),
     };
-    if ends == Ends::Periodic {
+    if ends == SplineEnds::Periodic {
         returns(work, SPLINE, items, &points, measure)?;
     }
     let expr = expression(work, name.into(), &points, ends, Scalar { measure: columns[0], ..argument })?;
@@ -55,28 +55,28 @@ pub(super) fn spline(work: &mut impl Valuer, name: &Ident, arguments: &[ast::Exp
 }
 
 /// The ends as written.
-fn read(work: &mut impl Valuer, ends: &ast::Expression, from: InferredDim, to: &mut InferredDim, scope: &Scope) -> Option<Ends> {
+fn read(work: &mut impl Valuer, ends: &ast::Expression, from: InferredDim, to: &mut InferredDim, scope: &Scope) -> Option<SplineEnds> {
     match &ends.kind {
-        ExpressionKind::Path(path) if path.name.as_ref().is_some_and(|name| name == "periodic") => Some(Ends::Periodic),
-        ExpressionKind::Path(path) if path.name.as_ref().is_some_and(|name| name == "hold") => Some(Ends::Given([[0.0; 2]; 2])),
+        ExpressionKind::Path(path) if path.name.as_ref().is_some_and(|name| name == "periodic") => Some(SplineEnds::Periodic),
+        ExpressionKind::Path(path) if path.name.as_ref().is_some_and(|name| name == "hold") => Some(SplineEnds::Given([[0.0; 2]; 2])),
         ExpressionKind::List(items) if items.len() == 2 => {
             let mut columns = [to.per(from), to.per(from).per(from)];
             let [first, last] =
                 [values(work, SPLINE, &items[0], &mut columns, scope)?, values(work, SPLINE, &items[1], &mut columns, scope)?];
-            Some(Ends::Given([first, last].map(|end| end.map(Exact::to_f64))))
+            Some(SplineEnds::Given([first, last].map(|end| end.map(Exact::to_f64))))
         }
         _ => work.reject(ends.range, ValueFact::SplineEnds),
     }
 }
 
 /// The value at x.
-fn expression(work: &mut impl Valuer, range: Range, points: &[[Exact; 2]], ends: Ends, x: Scalar) -> Option<Expr> {
+fn expression(work: &mut impl Valuer, range: Range, points: &[[Exact; 2]], ends: SplineEnds, x: Scalar) -> Option<Expr> {
     let (&[first, before], &[last, after]) = (points.first()?, points.last()?);
     let arena = work.arena();
     let [first, last] = [first, last].map(|place| arena.constant(place));
     let (since, length) = (arena.sub(x.expr, first), arena.sub(last, first));
     let is_turn = x.measure.settled() == Dim::ANGLE && arena.value(length) == Some(TAU);
-    let place = if ends == Ends::Periodic { wrapped(work, since, length, is_turn) } else { since };
+    let place = if ends == SplineEnds::Periodic { wrapped(work, since, length, is_turn) } else { since };
     let mut pieces = Vec::new();
     for (pair, known) in points.windows(2).zip(motions(points, ends).unwrap_or_default().windows(2)) {
         let [from, to] = [pair[0][0], pair[1][0]].map(|place| work.arena().constant(place));
@@ -96,7 +96,7 @@ fn expression(work: &mut impl Valuer, range: Range, points: &[[Exact; 2]], ends:
     if pieces.len() + 1 < points.len() {
         return work.reject(range, ValueFact::NumberOutOfRange { number: "a coefficient of the spline".to_owned() });
     }
-    let Ends::Given([[first, _], [last, _]]) = ends else { return Some(piecewise(work, place, &pieces)) };
+    let SplineEnds::Given([[first, _], [last, _]]) = ends else { return Some(piecewise(work, place, &pieces)) };
     let zero = work.arena().integer(0);
     let early = tangent(work, place, before, first)?;
     pieces.insert(0, (zero, early));
@@ -162,7 +162,7 @@ fn rounded(number: f64, largest: f64) -> f64 {
 ///   y⁗(x₀) = −360 Δ/h⁴ + 192 v₀/h³ + 168 v₁/h³ + 36 a₀/h² − 24 a₁/h²
 ///   y⁗(x₁) =  360 Δ/h⁴ − 168 v₀/h³ − 192 v₁/h³ − 24 a₀/h² + 36 a₁/h²
 /// ```
-fn motions(points: &[[Exact; 2]], ends: Ends) -> Option<Vec<[f64; 2]>> {
+fn motions(points: &[[Exact; 2]], ends: SplineEnds) -> Option<Vec<[f64; 2]>> {
     let intervals = points.len() - 1;
     let numbers: Vec<[f64; 2]> = points.iter().map(|point| point.map(Exact::to_f64)).collect();
     // In units of the mean width, the rows are of one size.
@@ -178,7 +178,7 @@ fn motions(points: &[[Exact; 2]], ends: Ends) -> Option<Vec<[f64; 2]>> {
         let (third, fourth) = (2 * knot, 2 * knot + 1);
         let before = if knot == 0 { intervals - 1 } else { knot - 1 };
         match (ends, knot == 0, knot == intervals) {
-            (Ends::Given(given), first, last) if first || last => {
+            (SplineEnds::Given(given), first, last) if first || last => {
                 let [velocity, acceleration] = given[usize::from(last)];
                 (matrix[third][third], right[third]) = (1.0, velocity * unit);
                 (matrix[fourth][fourth], right[fourth]) = (1.0, acceleration * unit * unit);

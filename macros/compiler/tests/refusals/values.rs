@@ -163,6 +163,38 @@ fn sines_of_bare_numbers_that_are_rather_degrees_are_doubtful() {
     }
 }
 
+/// A rod with its centre at the origin reaches half of its length to both sides.
+#[test]
+fn rods_without_a_centre_are_doubted_where_a_point_lies_at_their_length() {
+    let doubts = |ambient: &str, body: &str| {
+        let source = format!(
+            "#[equations_only] mechanism M {ambient} {{ param long: Length = 400mm;
+                body b {{ mass = 1kg; {body} }} output place = b.position; }}"
+        );
+        let compiled = reuleaux_compiler::compile(source.parse().expect("tokens")).expect("a body with its mass");
+        compiled.model.doubts.iter().map(|warning| warning.doubt.to_string()).collect::<Vec<String>>()
+    };
+    let said = |point: &str, center: &str, origin: &str| {
+        vec![format!(
+            "`b` has its center of mass at its origin, and `{point}`, a whole length away, lies beyond the end of the rod\n\
+             help: write `center = {center};`, or `center = {origin};` if the origin is meant"
+        )]
+    };
+    assert_eq!(doubts("", "point A = (300mm, 0mm); inertia = rod(300mm);"), said("A", "(300mm / 2, 0m)", "(0m, 0m)"));
+    assert_eq!(doubts("", "point O = (0m, 0m); point B = (long, 0mm); inertia = rod(long);"), said("B", "(long / 2, 0m)", "(0m, 0m)"));
+    let in_space = "point A = (300mm, 0mm, 0mm); inertia = rod(300mm);";
+    assert_eq!(doubts("in space", in_space), said("A", "(300mm / 2, 0m, 0m)", "(0m, 0m, 0m)"));
+    for sure in [
+        "point A = (300mm, 0mm); center = (0mm, 0mm); inertia = rod(300mm);",
+        "point A = (300mm, 0mm); center = (150mm, 0mm); inertia = rod(300mm);",
+        "point A = (150mm, 0mm); inertia = rod(300mm);",
+        "point A = (300mm, 0mm); inertia = disk(300mm);",
+        "axis u = (1, 0); inertia = rod(1m);",
+    ] {
+        assert_eq!(doubts("", sure), Vec::<String>::new(), "{sure}");
+    }
+}
+
 /// More than a turn of radians is rather one of degrees.
 #[test]
 fn starts_of_angles_without_unit_are_doubted() {

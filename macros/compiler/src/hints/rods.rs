@@ -1,0 +1,60 @@
+//! Warnings about rods whose centre was probably not meant to be the origin of the body.
+//!
+//! A point at the distance of the whole length lies outside of a rod that has its centre at the origin.
+
+use crate::diag::{Doubt, Warning};
+use crate::syntax::ast::{Expression, ExpressionKind, Feature, FrameItem, Item, Mechanism};
+
+/// Warnings about bodies with `inertia = rod(l)`, without `center`, and with a point at `(l, 0)`.
+pub(crate) fn centered_rods(tree: &Mechanism) -> Vec<Warning> {
+    let mut found = Vec::new();
+    of_items(&tree.items, &mut found);
+    found
+}
+
+fn of_items(items: &[Item], found: &mut Vec<Warning>) {
+    for item in items {
+        match item {
+            Item::Body(body) => found.extend(of_body(body)),
+            Item::Component(component) => of_items(&component.items, found),
+            Item::For(repeated) => of_items(&repeated.items, found),
+            _ => {}
+        }
+    }
+}
+
+fn of_body(body: &FrameItem) -> Option<Warning> {
+    if body.masses.iter().any(|mass| mass.what == "center") {
+        return None;
+    }
+    let inertia = body.masses.iter().find(|mass| mass.what == "inertia")?;
+    let ExpressionKind::Call(shape, lengths) = &inertia.value.kind else { return None };
+    let [length] = lengths.as_slice() else { return None };
+    let is_rod = shape.name.as_ref().is_some_and(|name| name == "rod");
+    let components = |point: &Expression| match &point.kind {
+        ExpressionKind::Tuple(parts) if parts.first().is_some_and(|along| is_same(along, length)) => parts.len(),
+        _ => 0,
+    };
+    let is_at_end = |mark: &Feature| is_rod && inertia.along.is_none() && !mark.is_axis && components(&mark.value) > 0;
+    let point = body.marks.single.iter().find(|mark| is_at_end(mark))?;
+    let zeros = ", 0m".repeat(components(&point.value).saturating_sub(1));
+    let half = match &length.kind {
+        ExpressionKind::Number { digits, unit } => format!("{digits}{unit} / 2"),
+        ExpressionKind::Path(path) => format!("{} / 2", path.last),
+        _ => return None,
+    };
+    let [center, origin] = [half.as_str(), "0m"].map(|along| format!("({along}{zeros})"));
+    let doubt = Doubt::CenteredRod { body: body.name.to_string(), point: point.name.to_string(), center, origin };
+    Some(Warning { doubt, range: inertia.value.range })
+}
+
+/// True if two lengths are written alike.
+fn is_same(one: &Expression, two: &Expression) -> bool {
+    match (&one.kind, &two.kind) {
+        (ExpressionKind::Number { digits: one, unit: of_one }, ExpressionKind::Number { digits: two, unit: of_two }) => {
+            one == two && of_one == of_two
+        }
+        (ExpressionKind::Path(one), ExpressionKind::Path(two)) => one.name.is_some() && one.name == two.name,
+        _ => false,
+    }
+}
