@@ -3,6 +3,7 @@
 #[macro_use]
 mod compare;
 mod bricard;
+mod bushings;
 mod conserved;
 mod derivatives;
 mod events;
@@ -14,9 +15,11 @@ mod integrated;
 mod jumps;
 mod kept;
 mod masses;
+mod nonlinear;
 mod plane;
 mod published;
 mod redundant;
 mod shared_nodes;
 mod space;
 mod stiff;
+mod stops;

@@ -104,7 +104,7 @@ pub(crate) struct Fixed {
 /// without a symbol is drawn as a dashed line between its points.
 ///
 /// Springs and dampers between points `P` and `Q` are added in the same way, by the kinds `spring`, `damper`, `spring_damper`,
-/// `constant_force` and `gas_spring`.
+/// `constant_force`, `gas_spring`, `nonlinear_spring` and `stop`.
 ///
 /// Gears and drives in space take as an argument a joint of kind `angle` (axes `a` and `b`) or `displacement` (points `P` and `Q`, axis
 /// `a`).

@@ -1,12 +1,16 @@
 //! Symbols of springs and dampers between two points, in the plane and in space.
 
 /// Kinds of forces with a symbol.
-pub(crate) const KINDS: [&str; 5] = ["spring", "damper", "spring_damper", "constant_force", "gas_spring"];
+pub(crate) const KINDS: [&str; 7] = ["spring", "damper", "spring_damper", "constant_force", "gas_spring", "nonlinear_spring", "stop"];
+
+/// The kind that gives way to the others.
+const STOP: &str = KINDS[6];
 
 /// Distance from the line between the points to each of a spring and a damper side by side.
 const BESIDE: f64 = 9.5;
 
-/// The symbol of joint `own`, if that is a force. A spring and a damper between the same ends are drawn side by side, by the first of them.
+/// The symbol of joint `own`, if that is a force. A spring and a damper between the same ends are drawn side by side, by the first of them; a stop
+/// is drawn where it is alone.
 ///
 /// * `joints`: the kind of each joint, and the ends of each that has two points.
 pub(crate) fn drawn<'a, E: Copy>(own: usize, joints: &[(&'a str, Option<[E; 2]>)], are_same: impl Fn(E, E) -> bool) -> Option<&'a str> {
@@ -14,6 +18,11 @@ pub(crate) fn drawn<'a, E: Copy>(own: usize, joints: &[(&'a str, Option<[E; 2]>)
     let is_here = |[one, two]: [E; 2]| are_same(p, one) && are_same(q, two) || are_same(p, two) && are_same(q, one);
     let is_force = |(kind, ends): &(&str, Option<[E; 2]>)| KINDS.contains(kind) && ends.is_some_and(is_here);
     let here: Vec<usize> = (0..joints.len()).filter(|number| is_force(&joints[*number])).collect();
+    let is_alone = here.iter().all(|number| joints[*number].0 == STOP);
+    let here: Vec<usize> = here.into_iter().filter(|number| is_alone || joints[*number].0 != STOP).collect();
+    if !here.contains(&own) {
+        return None;
+    }
     if here.iter().all(|number| look(joints[*number].0) == look(kind)) {
         return Some(look(kind));
     }
@@ -23,7 +32,7 @@ pub(crate) fn drawn<'a, E: Copy>(own: usize, joints: &[(&'a str, Option<[E; 2]>)
 /// The kind whose symbol a kind has: a gas spring is a cylinder with a piston.
 fn look(kind: &str) -> &str {
     match kind {
-        "constant_force" => "spring",
+        "constant_force" | "nonlinear_spring" => "spring",
         "gas_spring" => "damper",
         kind => kind,
     }
@@ -34,6 +43,7 @@ pub(crate) fn symbol<P>(kind: &str, at: impl Fn(f64, f64) -> P) -> Vec<Vec<P>> {
     match kind {
         "spring" => vec![coil(&at, [0.0, 1.0], 0.0)],
         "damper" => pot(&at, [0.0, 1.0], 0.0),
+        STOP => buffer(&at),
         _ => {
             let ends = [0.1, 0.9];
             let mut lines = vec![vec![at(0.0, 0.0), at(ends[0], 0.0)], vec![at(ends[1], 0.0), at(1.0, 0.0)]];
@@ -61,4 +71,10 @@ fn pot<P>(at: &impl Fn(f64, f64) -> P, [from, to]: [f64; 2], beside: f64) -> Vec
         vec![at(0.5, beside + 6.0), at(0.5, beside - 6.0)],
         vec![at(0.5, beside), at(to, beside)],
     ]
+}
+
+/// A block, and a plate on a rod before it.
+fn buffer<P>(at: &impl Fn(f64, f64) -> P) -> Vec<Vec<P>> {
+    let block = [(0.3, 7.0), (0.45, 7.0), (0.45, -7.0), (0.3, -7.0), (0.3, 7.0)].map(|(part, across)| at(part, across));
+    vec![vec![at(0.0, 0.0), at(0.3, 0.0)], block.into(), vec![at(0.55, 7.0), at(0.55, -7.0)], vec![at(0.55, 0.0), at(1.0, 0.0)]]
 }

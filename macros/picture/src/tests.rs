@@ -118,7 +118,8 @@ fn shapes_of_bodies_are_in_the_picture_and_turn_with_them() {
 fn springs_and_dampers_are_forces() {
     let mut scene = engine(0.5);
     let before = scene.draw().expect("it is drawn").svg().lines().nth(2).map(str::to_owned);
-    for (kind, height) in [("spring", 0.0), ("damper", 0.1), ("spring_damper", 0.2), ("constant_force", 0.3), ("gas_spring", 0.5)] {
+    let kinds = ["spring", "damper", "spring_damper", "constant_force", "nonlinear_spring", "gas_spring", "stop"];
+    for (kind, height) in kinds.into_iter().zip([0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6]) {
         scene.joint(kind, kind).of(&["piston"]).point("P", GROUND, [0.4, height]).point("Q", "piston", [0.0, 0.0]);
     }
     let svg = scene.svg();
@@ -129,12 +130,18 @@ fn springs_and_dampers_are_forces() {
         before.map(|before| before.rsplit("d=\"").next().unwrap_or("").matches('M').count())
     };
     assert_eq!(["spring", "damper", "spring_damper"].map(|kind| lines(&svg, kind)), [Some(1), Some(4), Some(9)], "{svg}");
-    assert_eq!(["constant_force", "gas_spring"].map(|kind| lines(&svg, kind)), [Some(1), Some(4)], "{svg}");
+    assert_eq!(["constant_force", "nonlinear_spring"].map(|kind| lines(&svg, kind)), [Some(1); 2], "{svg}");
+    // A pot and a piston, and a block and a plate, each with two rods.
+    assert_eq!(["gas_spring", "stop"].map(|kind| lines(&svg, kind)), [Some(4); 2], "{svg}");
     // Between the same points they are side by side.
     scene.joint("strut", "damper").point("Q", GROUND, [0.4, 0.0]).point("P", "piston", [0.0, 0.0]);
     let svg = scene.svg();
     assert!(lines(&svg, "spring") == Some(9) && !svg.contains("<title>strut"), "{svg}");
     assert!(!svg.contains("class=\"d\""));
+    // A stop beside a spring is not drawn.
+    scene.joint("bump", "stop").point("P", GROUND, [0.4, 0.3]).point("Q", "piston", [0.0, 0.0]);
+    let svg = scene.svg();
+    assert!(!svg.contains("<title>bump") && lines(&svg, "constant_force") == Some(1) && lines(&svg, "stop") == Some(4), "{svg}");
 }
 
 #[test]

@@ -55,6 +55,7 @@ pub(super) fn about_an_axis(definition: &str, found: &Kind) -> Option<&'static s
         "damper" => Some("torsion_damper"),
         "spring_damper" => Some("torsion_spring_damper"),
         "actuator" => Some("motor"),
+        "nonlinear_spring" => Some("nonlinear_torsion_spring"),
         _ => None,
     }
 }

@@ -6,7 +6,7 @@ use crate::quantity::{unit, units};
 const LONGEST: usize = 60;
 
 /// Words of the language with their synonyms elsewhere.
-const SYNONYMS: [(&str, &[&str]); 55] = [
+const SYNONYMS: [(&str, &[&str]); 62] = [
     ("body", &["link", "bar", "rigid", "member", "bodie"]),
     ("ground", &["frame", "base", "world", "fixed"]),
     ("param", &["parameter", "var", "variable"]),
@@ -60,6 +60,13 @@ const SYNONYMS: [(&str, &[&str]); 55] = [
     ("torsion_damper", &["rotational_damper", "rotary_damper", "torsional_damper", "angular_damper", "viscous_friction"]),
     ("gas_spring", &["gas_strut", "gas_shock", "gas_piston", "strut"]),
     ("constant_force", &["constant_force_spring", "force_spring"]),
+    ("nonlinear_spring", &["progressive_spring", "spring_by_law", "spring_by_table", "spring_curve"]),
+    ("nonlinear_torsion_spring", &["nonlinear_rotational_spring", "progressive_torsion_spring"]),
+    ("bushing", &["bush", "silent_block", "rubber_bush", "rubber_mount", "engine_mount", "mount"]),
+    ("friction", &["coulomb", "coulomb_friction", "dry_friction", "sliding_friction"]),
+    ("torsion_friction", &["hinge_friction", "joint_friction", "bearing_friction", "rotational_friction", "friction_torque", "brake"]),
+    ("stop", &["bump_stop", "bumper", "buffer", "end_stop", "hard_stop", "limit"]),
+    ("stop_along", &["contact", "impact", "floor", "wall"]),
     ("smooth_step", &["step", "step5", "smoothstep", "ramp", "heaviside"]),
     ("drive_angle", &["drive_velocity", "drive_angular_velocity", "drive_speed", "rotate"]),
 ];

@@ -98,13 +98,41 @@ macro_rules! force_pages_of {
 }
 
 /// Forces, in the plane and in space: name and text of the file.
-const FORCES: &[(&str, &str)] = force_pages!["spring", "damper", "spring_damper", "actuator", "constant_force", "gas_spring", "drag"];
+const FORCES: &[(&str, &str)] = force_pages![
+    "spring",
+    "damper",
+    "spring_damper",
+    "nonlinear_spring",
+    "actuator",
+    "constant_force",
+    "gas_spring",
+    "stop",
+    "stop_along",
+    "friction",
+    "drag",
+];
 
 /// Forces in the plane.
-const PLANAR_FORCES: &[(&str, &str)] = force_pages_of!["plane": "motor", "torsion_spring", "torsion_damper", "torsion_spring_damper"];
+const PLANAR_FORCES: &[(&str, &str)] = force_pages_of![
+    "plane": "motor",
+    "torsion_spring",
+    "torsion_damper",
+    "torsion_spring_damper",
+    "nonlinear_torsion_spring",
+    "torsion_friction",
+    "bushing",
+];
 
 /// Forces in space.
-const SPATIAL_FORCES: &[(&str, &str)] = force_pages_of!["space": "motor", "torsion_spring", "torsion_damper", "torsion_spring_damper"];
+const SPATIAL_FORCES: &[(&str, &str)] = force_pages_of![
+    "space": "motor",
+    "torsion_spring",
+    "torsion_damper",
+    "torsion_spring_damper",
+    "nonlinear_torsion_spring",
+    "torsion_friction",
+    "bushing",
+];
 
 /// Constraints with one text for the plane and for space.
 const BOTH: &[&str] = &["distance", "absolute_x", "absolute_y", "drive_distance", "drive_x", "drive_y"];

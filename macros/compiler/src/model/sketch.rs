@@ -20,7 +20,7 @@ pub struct Sketch {
     pub axes: Vec<NamedPoint>,
     /// For each joint or drive, in the order declared, its arguments.
     pub joints: Vec<Instantiation>,
-    /// Springs and dampers by name, with the points between which they act.
+    /// Springs, dampers and stops by name, with the points between which they act.
     pub forces: Vec<(String, Instantiation)>,
     /// The outputs that are points of bodies.
     pub outputs: Vec<NamedPoint>,
@@ -78,10 +78,11 @@ impl Instantiation {
         Instantiation { kind: kind.to_owned(), arguments: Vec::new() }
     }
 
-    /// A spring or a damper with nothing but its points.
+    /// A spring, a damper or a stop with nothing but its points.
     pub(crate) fn between(mut self) -> Option<Instantiation> {
         self.arguments.retain(|(_, argument)| matches!(argument, JointArgument::Point(_)));
-        ["spring", "damper", "spring_damper"].contains(&self.kind.as_str()).then_some(self)
+        let kinds = ["spring", "damper", "spring_damper", "constant_force", "gas_spring", "nonlinear_spring", "stop"];
+        kinds.contains(&self.kind.as_str()).then_some(self)
     }
 
     /// The bodies of its points.

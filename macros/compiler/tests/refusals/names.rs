@@ -34,7 +34,7 @@ crate::refusals! {
     item unit_with_another_prefix: "param a: Torque = «5MNm»;" => "no unit is called `MNm`\nhelp: `1MNm` is `1000000Nm`";
     item unit_of_volume: "param a: Length = «5mm3» / 1mm2;" => "no unit is called `mm3`\nhelp: `1mm3` is `1mm2 * 1mm`";
     item gravity_by_its_letter: "gravity = (0, -«g»);" => "nothing is called `g` here\nhelp: write the acceleration of gravity as `9.81m_s2`, or declare `param g: Acceleration = 9.81m_s2;`";
-    item spring_by_its_kind: "force s = «compression_spring»(ground.O, crank.A, 1N_mm, 10mm);" => "no force is called `compression_spring`\nhelp: did you mean `spring`?\nnote: there are `spring`, `damper`, `spring_damper`, `actuator`, `constant_force`, `gas_spring`, `drag`, `motor`, `torsion_spring`, `torsion_damper` and `torsion_spring_damper`";
+    item spring_by_its_kind: "force s = «compression_spring»(ground.O, crank.A, 1N_mm, 10mm);" => "no force is called `compression_spring`\nhelp: did you mean `spring`?\nnote: there are `spring`, `damper`, `spring_damper`, `nonlinear_spring`, `actuator`, `constant_force`, `gas_spring`, `stop`, `stop_along`, `friction`, `drag`, `motor`, `torsion_spring`, `torsion_damper`, `torsion_spring_damper`, `nonlinear_torsion_spring`, `torsion_friction` and `bushing`";
     item drive_by_a_velocity: "drive b = «drive_velocity»(crank, speed);" => "no constraint is called `drive_velocity`\nhelp: did you mean `drive_angle`?";
     item unit_is_near: "param a: Length = «100mn»;" => "no unit is called `mn`\nhelp: did you mean `100mm`?";
     item unit_is_written_out: "param a: Length = «100milimeter»;" => "no unit is called `milimeter`\nhelp: did you mean `100mm`?";
