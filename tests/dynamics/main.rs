@@ -14,6 +14,7 @@ mod integrated;
 mod jumps;
 mod kept;
 mod masses;
+mod meshes;
 mod plane;
 mod published;
 mod redundant;
