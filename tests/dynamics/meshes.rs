@@ -75,7 +75,7 @@ macro_rules! visit {
                 let teeth = [at(loads.mesh_on_one()), at(loads.mesh())];
                 let bearings = [loads.of_one().force, loads.of_two().force, loads.hinge().force];
                 let efforts = [loads.swing().effort, loads.motor().effort, loads.swing().power, loads.motor().power];
-                let found = Found { radii: [$a, $b], side, bodies, teeth, normal: loads.multipliers[6], bearings, efforts };
+                let found = Found { radii: [$a, $b], side, bodies, teeth, multiplier: loads.multipliers[6], bearings, efforts };
                 $check(stringify!($name), &found);
             }
         }
@@ -89,7 +89,7 @@ struct Found {
     bodies: [PlanarBody<f64>; 3],
     /// Forces and torques of the teeth on the gears.
     teeth: [(Vector2<f64>, f64); 2],
-    normal: f64,
+    multiplier: f64,
     /// Forces on the gears and on the arm.
     bearings: [Vector2<f64>; 3],
     /// Torques of both drives, and their power.
@@ -109,7 +109,7 @@ fn forces_act_along_the_taut_line(name: &str, found: &Found) {
     let motor = 0.1 * one.angular_acceleration - torque;
     let swing = 0.05 * arm.angular_acceleration + motor + (two.position - arm.position).perp(&bearings[1]);
     let balances = [
-        (found.normal, found.side * normal),
+        (found.multiplier * found.radii[0].signum(), found.side * normal * ALPHA.cos()),
         (found.teeth[1].1, arm_of_two.perp(&force)),
         (found.teeth[0].1, torque),
         (found.efforts[1], motor),
@@ -242,8 +242,13 @@ fn a_line_unwinds_from_one_base_circle_onto_the_other_while_the_centres_pass() {
             }
         )*};
     }
-    unwinds!(PassingExternal(0.06, 0.09, 1.0), PassingExternalBehind(0.06, 0.09, -1.0), PassingInRing(0.04, -0.1, 1.0),
-        PassingInRingBehind(0.04, -0.1, -1.0), PassingRing(0.1, -0.04, 1.0));
+    unwinds!(
+        PassingExternal(0.06, 0.09, 1.0),
+        PassingExternalBehind(0.06, 0.09, -1.0),
+        PassingInRing(0.04, -0.1, 1.0),
+        PassingInRingBehind(0.04, -0.1, -1.0),
+        PassingRing(0.1, -0.04, 1.0)
+    );
 }
 
 #[test]
@@ -286,12 +291,8 @@ fn the_teeth_and_bearings_of_a_planetary_gear_carry_its_torque_over_three_turns_
         let outer = taut([planet.position, sun.position], [0.036, -0.12], ALPHA, -1.0);
         let [lever_inner, lever_outer] = [inner.touch[1] - planet.position, outer.touch[0] - planet.position];
         let out = planet.position - sun.position;
-        let rows = Matrix2::new(
-            lever_inner.perp(&inner.push),
-            -lever_outer.perp(&outer.push),
-            out.perp(&inner.push),
-            -out.perp(&outer.push),
-        );
+        let rows =
+            Matrix2::new(lever_inner.perp(&inner.push), -lever_outer.perp(&outer.push), out.perp(&inner.push), -out.perp(&outer.push));
         let turned = 0.03 * arm.angular_acceleration + 40.0 + out.perp(&planet.acceleration) * 0.4;
         let forces = rows.try_inverse().expect("two meshes") * Vector2::new(0.002 * planet.angular_acceleration, turned);
         let (of_sun, of_ring) = (inner.push * forces.x, -outer.push * forces.y);
@@ -354,7 +355,6 @@ mechanism! {
         drive motor = drive_angle(pinion, 1rad * sin(2rad_s * t) + 0.1rad * cos(3rad_s * t));
     }
 }
-
 
 /// Bodies cut free, with a force at the pitch point: its part along the rack drives the rack, the other separates the teeth.
 #[test]

@@ -8,24 +8,25 @@
 ///    ╲       ╱   _─▔       ╲         ╱         and the taut line of the teeth
 ///      ▔▔▔▔▔▜─▔             ╲_______╱
 ///
-///   cos α (a (φ_A − φ_k − θ) + b (φ_B − φ_k − θ) − c) − s |a + b| cos α (inv α' − inv α) = 0      1 row, m
+///   a (φ_A − φ_k − θ) + b (φ_B − φ_k − θ) − c − s |a + b| (inv α' − inv α) = 0      1 row, m
 ///   θ = arg(r_B − r_A) − φ_k − line,  cos α' = |a + b| cos α / |r_B − r_A|,  inv α = tan α − α
 /// ```
 ///
 /// `A` and `B` are the centres, points of the gears; `a` and `b` are pitch radii with signs as in `gear_pair`: the same sign for an
 /// external mesh, opposite ones for an internal one, in which the larger gear is the ring. α is the `pressure_angle` at the pitch circles,
 /// `line` the direction from A to B on the carrier k, which is ground unless said, and `c` the phase, 0 unless said. `side` s is 1 or −1;
-/// in an internal mesh it enters the row with the opposite sign, and with a < 0 all terms of `a`, `b` and `c` do.
+/// in an internal mesh it enters the row with the opposite sign, and also where a < 0.
 ///
-/// Place the gears with revolute joints on the carrier. At the distance |a + b| the row is that of `gear_pair`, times cos α. At another
+/// Place the gears with revolute joints on the carrier. At the distance |a + b| the row is that of `gear_pair`. At another
 /// distance the ratio is the same, and the angle of action α' is another: the line unwinds from one base circle onto the other. Angles of
 /// gears are never wrapped, and the carrier may turn any number of times; on the carrier, the line of centres may turn by up to half a turn.
 ///
-/// The multiplier λ is the normal force of the teeth in N: it acts along the taut line, at α' to the common tangent of the pitch circles,
-/// with the torque λ |a| cos α about A and λ |b| cos α about B. Bearings carry it; the carrier gets nothing but what they pass on.
-/// With `side` 1 the line is that of the flanks by which A drives to the left, or is driven to the right: where they are pressed λ is
-/// positive. With `side` −1 it is that of the other flanks, and pressed ones have a negative λ. Where λ and `side` have unlike signs the
-/// teeth would have to pull, and the other side carries. At the distance |a + b| the motion is the same on both sides.
+/// The multiplier λ is the force of the teeth at the pitch circles in N, with the torques −λ a on A and −λ b on B. Their normal force
+/// is λ / cos α: it acts along the taut line, at α' to the common tangent of the circles that roll on each other. Bearings carry it; the
+/// carrier gets nothing but what they pass on. With `side` 1 the line is that of the flanks by which A drives to the left, or is driven to
+/// the right: λ a is positive where they are pressed. With `side` −1 it is that of the other flanks, and λ a is negative where they are
+/// pressed. Where λ a and `side` have unlike signs the teeth would have to pull: the other side carries. At the distance |a + b| the
+/// motion is the same on both sides.
 ///
 /// Degenerate case: a = 0, b = 0 and a + b = 0 are refused. Where |r_B − r_A| < |a + b| cos α, the base circles have no common tangent
 /// between the teeth, and the row has no value; where they are equal, it has no derivative.
@@ -48,6 +49,6 @@ constraint involute_mesh(
     let base = abs(a + b) * cos(pressure_angle);
     let taut = sqrt(dot(B - A, B - A) - base^2);
     let unwound = taut - base * atan(taut / base) - base * (tan(pressure_angle) - pressure_angle);
-    let rolled = a * (A.body.angle - carrier.angle - turned) + b * (B.body.angle - carrier.angle - turned) - c;
-    a / abs(a) * cos(pressure_angle) * rolled == side * a * b / abs(a * b) * unwound;
+    let sense = side * b / abs(b) / cos(pressure_angle);
+    a * (A.body.angle - carrier.angle - turned) + b * (B.body.angle - carrier.angle - turned) - c == sense * unwound;
 }
