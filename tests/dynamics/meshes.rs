@@ -72,7 +72,7 @@ macro_rules! visit {
                 let loads = cell.loads(&state);
                 let bodies = [state.one(), state.two(), state.arm()];
                 let at = |load: reuleaux::PlanarLoad<f64, false>| (load.force, load.torque);
-                let teeth = [at(loads.mesh_on_one()), at(loads.mesh())];
+                let teeth = [at(loads.mesh_on_one()), at(loads.mesh()), at(loads.mesh_on_arm())];
                 let bearings = [loads.of_one().force, loads.of_two().force, loads.hinge().force];
                 let efforts = [loads.swing().effort, loads.motor().effort, loads.swing().power, loads.motor().power];
                 let found = Found { radii: [$a, $b], side, bodies, teeth, multiplier: loads.multipliers[6], bearings, efforts };
@@ -87,8 +87,8 @@ struct Found {
     side: f64,
     /// The two gears and the arm.
     bodies: [PlanarBody<f64>; 3],
-    /// Forces and torques of the teeth on the gears.
-    teeth: [(Vector2<f64>, f64); 2],
+    /// Forces and torques of the teeth on the gears and on the arm.
+    teeth: [(Vector2<f64>, f64); 3],
     multiplier: f64,
     /// Forces on the gears and on the arm.
     bearings: [Vector2<f64>; 3],
@@ -112,12 +112,14 @@ fn forces_act_along_the_taut_line(name: &str, found: &Found) {
         (found.multiplier * found.radii[0].signum(), found.side * normal * ALPHA.cos()),
         (found.teeth[1].1, arm_of_two.perp(&force)),
         (found.teeth[0].1, torque),
+        (found.teeth[2].1, 0.0),
         (found.efforts[1], motor),
         (found.efforts[0], swing),
     ];
     let vectors = [
         (found.teeth[1].0, force),
         (found.teeth[0].0, -force),
+        (found.teeth[2].0, Vector2::zeros()),
         (found.bearings[0], bearings[0]),
         (found.bearings[1], bearings[1]),
         (found.bearings[2], arm.acceleration * 2.0 + bearings[0] + bearings[1]),

@@ -43,8 +43,8 @@ constraint involute_mesh(
     require pressure_angle < 90deg: "a pressure angle is less than a right angle: the base circle has a radius";
     require side^2 == 1: "the side of a mesh is 1 where the gear of `A` drives to the left, and -1 where it drives to the right";
     require A.body != B.body: "a gear cannot mesh with itself";
-    require A.body != carrier: "a gear does not carry its own mesh: the `carrier` is the body on which both gears have their axes";
-    require B.body != carrier: "a gear does not carry its own mesh: the `carrier` is the body on which both gears have their axes";
+    require carrier != A.body: "a gear does not carry its own mesh: the `carrier` is the body on which both gears have their axes";
+    require carrier != B.body: "a gear does not carry its own mesh: the `carrier` is the body on which both gears have their axes";
     let turned = wrap(direction(B - A) - carrier.angle - line);
     let base = abs(a + b) * cos(pressure_angle);
     let taut = sqrt(dot(B - A, B - A) - base^2);
