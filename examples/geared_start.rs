@@ -14,10 +14,9 @@
 //! φ̇ = ω₀ (1 − T_L/9T₀) (1 − e^(−t/τ)),  τ = J ω₀/T₀
 //! ```
 //!
-//! The tooth force follows by cutting the train at the mesh: N = (T₀ (1 − φ̇/ω₀) − J₁ φ̈) / r_b. The mesh is declared here by the
-//! geometry of involutes: a taut line unwinds from one base circle onto the other, whatever the distance of their centres. Its multiplier
-//! is N, the force acts along that line, at 20° to the tangent, and the bearings carry it. (The library's `gear_pair` relates angles only
-//! and does not load the bearings.)
+//! The tooth force follows by cutting the train at the mesh: N = (T₀ (1 − φ̇/ω₀) − J₁ φ̈) / r_b. The meshes are `involute_mesh`, which has
+//! the geometry of involutes: a taut line unwinds from one base circle onto the other. The force acts along that line, at 20° to the
+//! tangent of the pitch circles, and the bearings carry it. (`gear_pair` relates angles only and does not load the bearings.)
 //!
 //! Source: R. G. Budynas and J. K. Nisbett, Shigley's Mechanical Engineering Design, gears (force analysis), and the law of gearing.
 
@@ -27,32 +26,13 @@ use std::f64::consts::TAU;
 use reuleaux::nalgebra::Vector2;
 use reuleaux::picture::Drawable;
 use reuleaux::view::View;
-use reuleaux::{Integrator, constraint, mechanism};
+use reuleaux::{Integrator, mechanism};
 use reuleaux_examples::{figure, gauss, gear, meshing, place, play, steps};
-
-constraint! {
-    /// Two involute gears with base radii `a` and `b` about `A` and `B`; `side` is 1 if that of `A` drives to the left, −1 if to the
-    /// right.
-    ///
-    /// The taut line between the base circles is at the angle α to the tangent, cos α = (a + b) / |AB|. If the centres move apart,
-    /// the length (a + b) inv α unwinds, inv α = tan α − α; `line` and `alpha` are the initial values of the angle of the line of
-    /// centres and of α.
-    pub constraint involute_mesh(A: Point, B: Point, a: Length, b: Length, line: Angle, alpha: Angle, side: Number) {
-        require a > 0: "a base circle has a radius";
-        require b > 0: "a base circle has a radius";
-        let slant = acos((a + b) / norm(B - A));
-        let centres = direction(B - A) - line;
-        let winding = (tan(slant) - tan(alpha)) * 1rad - (slant - alpha);
-        a * (A.body.angle - centres) + b * (B.body.angle - centres) == side * (a + b) * winding;
-    }
-}
 
 mechanism! {
     /// A hoist that is switched on.
     #[picture]
     pub mechanism Hoist {
-        use crate::involute_mesh;
-
         /// Torque of the motor at rest.
         param stall: Torque = 6Nm;
         /// Speed at zero torque.
@@ -60,8 +40,6 @@ mechanism! {
         /// Load torque on the drum.
         param load: Torque = 20Nm;
         let module = 4mm;
-        let alpha = 20deg;
-        let base = module * cos(alpha);
 
         ground {
             point A = (0mm, 0mm);
@@ -75,8 +53,8 @@ mechanism! {
         joint a = revolute(ground.A, motor.position);
         joint b = revolute(ground.B, middle.position);
         joint c = revolute(ground.C, drum.position);
-        joint first = involute_mesh(motor.position, middle.position, 10 * base, 30 * base, 0deg, alpha, 1);
-        joint second = involute_mesh(middle.position, drum.position, 9 * base, 27 * base, 90deg, alpha, -1);
+        joint first = involute_mesh(motor.position, middle.position, 10 * module, 30 * module, 0deg);
+        joint second = involute_mesh(middle.position, drum.position, 9 * module, 27 * module, 90deg, side: -1);
         force current = { on motor: stall * (1 - motor.angular_velocity / idle); }
         force rope = { on drum: -load; }
         freedom start = motor.angle from 0deg;

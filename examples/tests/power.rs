@@ -37,7 +37,6 @@ mod rolling_coin;
 mod spinning_top;
 #[path = "../vehicle_corner.rs"]
 mod vehicle_corner;
-pub(crate) use geared_start::involute_mesh;
 
 /// Of the largest term.
 const BOUND: f64 = 1e-12;

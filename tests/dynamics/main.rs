@@ -15,6 +15,7 @@ mod integrated;
 mod jumps;
 mod kept;
 mod masses;
+mod meshes;
 mod nonlinear;
 mod plane;
 mod published;

@@ -20,8 +20,8 @@
 /// Place the gears with revolute joints on the carrier; the row says nothing about their centres.
 /// Degenerate case: a = 0 or b = 0 is refused.
 ///
-/// The row holds angles only, so that its load is a pair of torques: a force between the teeth, and what it does to the bearings, follows
-/// from the torque, the pitch radius and the pressure angle.
+/// The row holds angles only, so that its load is torques, and bearings carry nothing of it. `involute_mesh` has the force between the
+/// teeth, which loads the bearings.
 ///
 /// Reference: Nikravesh, section 4.2.5, who writes the row in absolute angles; on a carrier that turns
 /// only the relative angles are right (Willis, Principles of Mechanism).

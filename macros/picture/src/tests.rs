@@ -56,6 +56,18 @@ fn gears_touch_by_their_ratio() {
     assert_eq!(mesh(-60.0), [0.05, 0.15]);
 }
 
+#[test]
+fn involute_gears_touch_at_their_centre_distance() {
+    let mesh = |teeth: f64| {
+        let mut scene = two_wheels();
+        let mesh = scene.joint("mesh", "involute_mesh");
+        mesh.point("A", "one", [0.0, 0.0]).point("B", "two", [0.0, 0.0]).length("a", 0.024).length("b", teeth);
+        radii(&scene)
+    };
+    assert_eq!(mesh(0.072), [0.025, 0.075]);
+    assert_eq!(mesh(-0.072), [0.05, 0.15]);
+}
+
 /// Distances (rad, in pitches) between the teeth of two wheels where they touch: 1/2 if a tooth is in the middle of a space.
 fn apart(wheels: &Wheels, scene: &PlacedScene, [one, two]: [usize; 2], at: Place) -> f64 {
     let offset = |wheel: usize| {
@@ -351,7 +363,7 @@ impl Chance {
     }
 }
 
-const KINDS: [&str; 24] = [
+const KINDS: [&str; 25] = [
     "revolute",
     "weld",
     "translational",
@@ -362,6 +374,7 @@ const KINDS: [&str; 24] = [
     "absolute_x",
     "absolute_y",
     "gear_pair",
+    "involute_mesh",
     "planetary",
     "belt",
     "rack_pinion",
@@ -396,7 +409,7 @@ fn anything(chance: &mut Chance, is_wild: bool) -> Scene {
         let (name, kind) = (format!("j[{number}]"), chance.one(&KINDS));
         let rate = chance.number(is_wild);
         let joint = if kind.starts_with("drive") { scene.drive(&name, kind, rate) } else { scene.joint(&name, kind) };
-        for name in ["P", "Q", "O", "C", "F", "rack"] {
+        for name in ["A", "B", "P", "Q", "O", "C", "F", "rack"] {
             if !chance.next().is_multiple_of(5) {
                 joint.point(name, chance.one(&BODIES), [(); 2].map(|()| chance.number(is_wild)));
             }

@@ -50,6 +50,7 @@ impl Wheels {
         for (number, joint) in scene.joints.iter().enumerate() {
             let _ = match joint.kind.as_str() {
                 "gear_pair" => found.gears(scene, number, joint),
+                "involute_mesh" => found.involutes(scene, number, joint),
                 "belt" => found.belt(scene, number, joint),
                 "rack_pinion" => found.rack(scene, number, joint),
                 _ => None,
@@ -101,8 +102,16 @@ impl Wheels {
 
     fn gears(&mut self, scene: &PlacedScene, number: usize, joint: &Sign) -> Option<()> {
         let (i, j, carrier) = (joint.body("i")?, joint.body("j")?, joint.body("carrier").unwrap_or(None));
+        self.pair(scene, number, joint, [(i, scene.centre(i, carrier)), (j, scene.centre(j, carrier))])
+    }
+
+    fn involutes(&mut self, scene: &PlacedScene, number: usize, joint: &Sign) -> Option<()> {
+        self.pair(scene, number, joint, [joint.point("A")?, joint.point("B")?])
+    }
+
+    /// Two gears about their centres, in the ratio of `a` and `b`.
+    fn pair(&mut self, scene: &PlacedScene, number: usize, joint: &Sign, [(i, one), (j, two)]: [(Option<usize>, Place); 2]) -> Option<()> {
         let ((a, is_length), (b, _)) = (joint.number("a")?, joint.number("b")?);
-        let (one, two) = (scene.centre(i, carrier), scene.centre(j, carrier));
         let (distance, is_external) = ((two - one).norm(), a * b > 0.0);
         let teeth = if is_external { a.abs() + b.abs() } else { (a.abs() - b.abs()).abs() };
         let size = a.abs().max(b.abs());

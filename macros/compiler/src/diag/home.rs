@@ -18,7 +18,7 @@ pub enum Home {
 }
 
 /// Words with their equivalents in the plane and in space.
-const HOMES: [(&[&str], Home, Home); 17] = [
+const HOMES: [(&[&str], Home, Home); 18] = [
     (
         &["hinge", "pin", "pivot", "rotary", "rotational", "bearing"],
         Home::Joint(&["revolute(P, Q)"]),
@@ -32,6 +32,11 @@ const HOMES: [(&[&str], Home, Home); 17] = [
     (&["slot", "groove", "track", "rail"], Home::Joint(&["point_on_line(P, u, Q)"]), Home::Joint(&["point_on_line(P, a, Q)"])),
     (&["fixed", "fix", "weld", "rigid", "clamp"], Home::Joint(&["weld(P, Q)"]), Home::Joint(&["weld(P, a, Q, b)"])),
     (&["gear", "gears", "spur", "mesh", "gear_pair"], Home::Joint(&["gear_pair(i, j, a, b)"]), Home::Joint(&["gear_pair(one, two, a, b)"])),
+    (
+        &["involute_mesh", "involute", "gear_mesh", "spur_gears", "teeth"],
+        Home::Joint(&["involute_mesh(A, B, a, b, line)"]),
+        Home::Joint(&["gear_pair(one, two, a, b)"]),
+    ),
     (
         &["rack", "pinion", "rack_pinion"],
         Home::Joint(&["rack_pinion(pinion, rack, u, origin, R)"]),

@@ -6,7 +6,7 @@ use crate::quantity::{unit, units};
 const LONGEST: usize = 60;
 
 /// Words of the language with their synonyms elsewhere.
-const SYNONYMS: [(&str, &[&str]); 62] = [
+const SYNONYMS: [(&str, &[&str]); 63] = [
     ("body", &["link", "bar", "rigid", "member", "bodie"]),
     ("ground", &["frame", "base", "world", "fixed"]),
     ("param", &["parameter", "var", "variable"]),
@@ -39,6 +39,7 @@ const SYNONYMS: [(&str, &[&str]); 62] = [
     ("weld", &["rigid", "fixed", "fix", "clamp"]),
     ("drive_relative_angle", &["motor", "actuator", "servo"]),
     ("gear_pair", &["gear", "gears", "spur"]),
+    ("involute_mesh", &["gear_mesh", "gears_mesh", "spur_gears", "spur_gear", "involute", "involute_gears", "teeth", "tooth"]),
     ("rack_pinion", &["rack", "pinion"]),
     ("m", &["meter", "meters", "metre", "metres"]),
     ("mm", &["millimeter", "millimeters", "millimetre", "millimetres"]),

@@ -36,6 +36,7 @@ const CONSTRAINTS: &[(&str, &str)] = pages![
     "absolute_angle",
     "absolute_distance",
     "gear_pair",
+    "involute_mesh",
     "rack_pinion",
     "belt",
     "differential",

@@ -109,19 +109,21 @@ fn chain(n: usize) -> String {
 
 #[test]
 fn gears_are_explicit_through_ratios_that_are_checked() {
-    let structure = structure(
-        "mechanism Gears {
-            param r: Length = 20mm;
-            ground { point A = (0m, 0m); point B = (80mm, 0m); }
-            body one { point A = (0m, 0m); }
-            body two { point B = (0m, 0m); }
-            joint a = revolute(ground.A, one.A);
-            joint b = revolute(ground.B, two.B);
-            joint mesh = gear_pair(one, two, r, 60mm);
-            drive output = drive_angle(two, 3rad_s * t);
-        }",
-    );
-    assert_eq!(iterated(&structure), Vec::<usize>::new());
+    for mesh in ["gear_pair(one, two, r, 60mm)", "involute_mesh(one.A, two.B, r, 60mm, 0deg)"] {
+        let structure = structure(&format!(
+            "mechanism Gears {{
+                param r: Length = 20mm;
+                ground {{ point A = (0m, 0m); point B = (80mm, 0m); }}
+                body one {{ point A = (0m, 0m); }}
+                body two {{ point B = (0m, 0m); }}
+                joint a = revolute(ground.A, one.A);
+                joint b = revolute(ground.B, two.B);
+                joint mesh = {mesh};
+                drive output = drive_angle(two, 3rad_s * t);
+            }}"
+        ));
+        assert_eq!(iterated(&structure), Vec::<usize>::new(), "{mesh}");
+    }
 }
 
 #[test]

@@ -21,6 +21,9 @@ crate::refusals! {
     item centre_on_a_body: "joint a = absolute_distance(ram.B, «crank.A», 100mm);" => "the centre of an absolute distance does not lie on ground: use `distance` between two bodies";
     item differential_of_one_shaft: "joint a = differential(crank, «crank», ram);" => "the two shafts of a differential are the same body";
     item gear_with_itself: "joint a = gear_pair(crank, «crank», 1, 2);" => "a gear cannot mesh with itself";
+    item mesh_with_itself: "joint a = involute_mesh(crank.O, «crank.A», 10mm, 20mm, 0deg);" => "a gear cannot mesh with itself\nhelp: take a point of another body";
+    item mesh_on_its_own_gear: "joint a = involute_mesh(«crank.O», ram.B, 10mm, 20mm, 0deg, carrier: crank);" => "a gear does not carry its own mesh: the `carrier` is the body on which both gears have their axes\nhelp: take a point of another body";
+    item mesh_with_a_wheel_at_rest: "joint a = involute_mesh(crank.O, «ground.C», 10mm, 20mm, 0deg);" => "a gear does not carry its own mesh: the `carrier` is the body on which both gears have their axes\nhelp: take a point of another body";
     mechanism start_of_ground: "mechanism Crank { ground { start «angle» = 0; } body crank {} }" => "ground does not move: it has no start values\nhelp: a frame that stands elsewhere is a body with a `weld`";
     mechanism named_as_the_number_type: "mechanism «T» { body crank {} }" => "`T` is the number type of generated code\nhelp: choose another name for the mechanism";
     mechanism no_bodies: "mechanism «Crank» { param length: Length = 1m; }" => "`Crank` has no bodies\nhelp: declare one with `body name { … }`";

@@ -79,7 +79,7 @@ fn many_unknown_names_are_each_refused() {
         ["let a# = zebra#(1);", "no function is called `zebra#`\nhelp: declare it, such as `function zebra#(x: Angle) -> Length = …;`"],
         [
             "joint j# = zebra#(crank);",
-            "no constraint is called `zebra#`\nnote: there are `revolute`, `translational`, `weld`, `distance`, `point_on_line`, `revolute_translational`, `relative_angle`, `parallel`, `absolute_x`, `absolute_y`, `absolute_angle`, `absolute_distance` and 14 more\nhelp: bring in your own with `use path::to::zebra#;`",
+            "no constraint is called `zebra#`\nnote: there are `revolute`, `translational`, `weld`, `distance`, `point_on_line`, `revolute_translational`, `relative_angle`, `parallel`, `absolute_x`, `absolute_y`, `absolute_angle`, `absolute_distance` and 15 more\nhelp: bring in your own with `use path::to::zebra#;`",
         ],
         ["part p# = Zebra#();", "no component is called `Zebra#`\nhelp: declare it with `component Zebra#(…) { … }`"],
     ] {

@@ -17,7 +17,7 @@ crate::refusals! {
     item component_of_a_number: "output b = length.«x»;" => "a number has no `x`";
     item argument_of_a_joint: "drive b = drive_x(slide.«R», 1mm * t / 1s);" => "a `translational` joint has no `R`\nnote: it has `u`, `P`, `Q` and `c`";
     item constraint_is_mistyped: "joint a = «revolut»(ground.C, crank.A);" => "no constraint is called `revolut`\nhelp: did you mean `revolute`?";
-    item constraint_is_unknown: "joint a = «oldham»(ground.C, crank.A);" => "no constraint is called `oldham`\nnote: there are `revolute`, `translational`, `weld`, `distance`, `point_on_line`, `revolute_translational`, `relative_angle`, `parallel`, `absolute_x`, `absolute_y`, `absolute_angle`, `absolute_distance` and 14 more\nhelp: bring in your own with `use path::to::oldham;`";
+    item constraint_is_unknown: "joint a = «oldham»(ground.C, crank.A);" => "no constraint is called `oldham`\nnote: there are `revolute`, `translational`, `weld`, `distance`, `point_on_line`, `revolute_translational`, `relative_angle`, `parallel`, `absolute_x`, `absolute_y`, `absolute_angle`, `absolute_distance` and 15 more\nhelp: bring in your own with `use path::to::oldham;`";
     item function_is_mistyped: "output b = «sine»(crank.angle);" => "no function is called `sine`\nhelp: did you mean `sin`?";
     item function_is_unknown: "output b = «sinc»(crank.angle);" => "no function is called `sinc`\nhelp: did you mean `sin`?";
     item own_function_is_mistyped: "output b = «lif»(crank.angle);" => "no function is called `lif`\nhelp: did you mean `lift`?";

@@ -8,6 +8,12 @@ crate::refusals! {
     item distance_of_a_zero_parameter: "param zero: Length = 0mm; joint a = distance(ground.O, crank.A, «zero»);" => "a distance of zero cannot be differentiated where it holds: use `revolute`, in space `spherical`, to keep two points together\nnote: it is 0 at the declared defaults";
     item absolute_distance_of_zero: "joint a = absolute_distance(crank.A, (0mm, 0mm), «0»);" => "a distance of zero cannot be differentiated where it holds: use `revolute` to keep a point in place";
     item gear_without_radius: "joint a = gear_pair(crank, ram, 1, «0»);" => "a gear without radius or teeth turns nothing: the ratio of a gear pair may not be zero";
+    item mesh_without_radius: "joint a = involute_mesh(crank.O, ram.B, «0mm», 20mm, 0deg);" => "a gear without radius turns nothing: the pitch radius of a gear may not be zero";
+    item mesh_without_second_radius: "joint a = involute_mesh(crank.O, ram.B, 20mm, b: «0mm», line: 0deg);" => "a gear without radius turns nothing: the pitch radius of a gear may not be zero";
+    item mesh_of_a_gear_as_large_as_its_ring: "joint a = involute_mesh(crank.O, ram.B, 20mm, «-20mm», 0deg);" => "a gear as large as its ring gear does not roll in it: the sum of the signed pitch radii may not be zero";
+    item mesh_of_radial_flanks: "joint a = involute_mesh(crank.O, ram.B, 20mm, 30mm, 0deg, «0deg»);" => "a pressure angle is positive: teeth with radial flanks are no involutes";
+    item mesh_without_base_circles: "joint a = involute_mesh(crank.O, ram.B, 20mm, 30mm, 0deg, «90deg»);" => "a pressure angle is less than a right angle: the base circle has a radius";
+    item mesh_on_no_side: "joint a = «involute_mesh»(crank.O, ram.B, 20mm, 30mm, 0deg, side: 2);" => "the side of a mesh is 1 where the gear of `A` drives to the left, and -1 where it drives to the right";
     item gear_without_radius_by_name: "joint a = gear_pair(crank, ram, a: «0mm», b: 1mm);" => "a gear without radius or teeth turns nothing: the ratio of a gear pair may not be zero";
     item pinion_without_radius: "joint a = rack_pinion(crank, ram.B, ground.u, ground.C, «0mm»);" => "a pinion without radius moves nothing: the radius of a rack and pinion may not be zero";
     item pulley_without_radius: "joint a = belt(crank, ram, «0mm», 10mm);" => "a pulley without radius turns nothing: the radius of a belt's pulley may not be zero";

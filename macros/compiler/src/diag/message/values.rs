@@ -109,6 +109,7 @@ impl Display for ValueFact {
                     "absolute_angle" | "relative_angle" | "parallel" => "an equation of `joint.angle`, or `absolute_orientation(a, b)`",
                     "revolute_translational" => "`point_on_plane(P, a, Q, offset)`",
                     "absolute_distance" => "`distance(P, Q, c)`",
+                    "involute_mesh" => "`gear_pair(one, two, a, b)` of the angles of two joints, without the force between the teeth",
                     _ => "an equation of your own",
                 };
                 write!(f, "`{word}` is for the plane; in space write {instead}")

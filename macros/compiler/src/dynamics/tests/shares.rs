@@ -82,4 +82,6 @@ fn gears_racks_belts_and_differentials_have_a_load_for_each_body() {
     );
     let on_carrier = format!("{third}  joint j = gear_pair(b, c, 1, 2, carrier: a);  {placed}  drive z = drive_angle(c, 0rad);");
     assert_eq!(in_plane(&on_carrier), shares(&["j", "j_on_b", "j_on_c"]));
+    let pressed = "joint j = involute_mesh(b.position, c.position, 1m, 2m, 0deg, carrier: a);";
+    assert_eq!(in_plane(&format!("{third}  {pressed}  {placed}  drive z = drive_angle(c, 0rad);")), shares(&["j", "j_on_a", "j_on_b"]));
 }
