@@ -224,10 +224,23 @@ impl Numeric<'_> {
         }
     }
 
-    /// For each iterated unknown, true if an equation of the block changes when it is turned together with its linked angles.
+    /// For each iterated unknown, true if an equation of the block changes when it is turned together with those linked angles that are
+    /// unknowns of the block, too.
     fn counting_turns(&self, block: &Block) -> Vec<bool> {
-        let own: BTreeSet<usize> = block.parts().1.into_iter().collect();
-        let counts = |unknown: &usize| self.turns().linked(*unknown).is_none_or(|group| group.counted_by.iter().any(|by| own.contains(by)));
+        let (unknowns, own) = block.parts();
+        let [unknowns, own] = [unknowns, own].map(|parts| parts.into_iter().collect::<BTreeSet<usize>>());
+        // The angles that are known stay where they are.
+        let holds = |equation: &usize, members: &[usize]| {
+            let angles = self.system.equations[*equation].jacobian.iter().map(|(unknown, _)| *unknown);
+            let of_group = angles.filter(|unknown| members.binary_search(unknown).is_ok());
+            let (within, outside): (Vec<usize>, Vec<usize>) = of_group.partition(|unknown| unknowns.contains(unknown));
+            self.turns().are_linked_by(*equation) && !within.is_empty() && !outside.is_empty()
+        };
+        let counts = |unknown: &usize| {
+            self.turns()
+                .linked(*unknown)
+                .is_none_or(|group| group.counted_by.iter().any(|by| own.contains(by)) || own.iter().any(|row| holds(row, &group.members)))
+        };
         block.iterated.iter().map(counts).collect()
     }
 

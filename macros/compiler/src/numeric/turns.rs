@@ -19,6 +19,8 @@ pub(crate) struct Turns {
     /// Group of each angle, by unknown.
     group: Vec<Option<usize>>,
     groups: Vec<LinkedAngles>,
+    /// For each equation, true if it links its angles.
+    links: Vec<bool>,
 }
 
 /// Angles linked to each other.
@@ -35,15 +37,15 @@ impl Turns {
         let angles =
             |equation: usize| system.equations[equation].jacobian.iter().map(|(unknown, _)| *unknown).filter(|u| numeric.is_angle(*u));
         let mut leader: Vec<usize> = (0..system.coordinates.len()).collect();
-        let counts = counting(numeric, |set, unknown| SETS[set][unknown % 7] + (unknown as u32 / 7) % 100);
-        for equation in (0..system.equations.len()).filter(|equation| counts[*equation]) {
+        let links = counting(numeric, |set, unknown| SETS[set][unknown % 7] + (unknown as u32 / 7) % 100);
+        for equation in (0..system.equations.len()).filter(|equation| links[*equation]) {
             let linked: Vec<usize> = angles(equation).collect();
             for pair in linked.windows(2) {
                 let ends = [find(&mut leader, pair[0]), find(&mut leader, pair[1])];
                 leader[ends[0].max(ends[1])] = ends[0].min(ends[1]);
             }
         }
-        let mut turns = Turns { group: vec![None; system.coordinates.len()], groups: Vec::new() };
+        let mut turns = Turns { group: vec![None; system.coordinates.len()], groups: Vec::new(), links };
         for unknown in (0..system.coordinates.len()).filter(|unknown| numeric.is_angle(*unknown)) {
             let first = find(&mut leader, unknown);
             let group = turns.group[first].unwrap_or(turns.groups.len());
@@ -66,6 +68,11 @@ impl Turns {
     /// The group of an angle, which includes the angle itself.
     pub(crate) fn linked(&self, unknown: usize) -> Option<&LinkedAngles> {
         self.groups.get((*self.group.get(unknown)?)?)
+    }
+
+    /// True if an equation holds an angle itself, so that its angles can only be turned together.
+    pub(crate) fn are_linked_by(&self, equation: usize) -> bool {
+        self.links.get(equation).copied().unwrap_or(false)
     }
 
     /// True if an angle can be changed by whole turns, together with its group.

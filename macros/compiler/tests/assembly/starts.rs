@@ -163,6 +163,25 @@ fn turns_that_a_gear_counts_stay_linked() {
     }
 }
 
+/// Gears on an arm stay in mesh if all three make the same turns; once drives have placed the arm and one gear, the other counts them.
+#[test]
+fn turns_are_counted_from_what_drives_have_placed() {
+    for (arm, one) in [(0.0, 70.0), (40.0, 70.0), (-30.0, 5.0), (12.5, 12.5)] {
+        let compiled = accepted(&format!(
+            "mechanism Carried {{ body arm {{ point A = (0mm, 0mm); point B = (150mm, 0mm); }} body one {{}} body two {{}} body three {{}}
+                joint hub = revolute(ground.position, arm.position); joint a = revolute(arm.A, one.position);
+                joint b = revolute(arm.B, two.position); joint c = revolute(arm.B, three.position);
+                joint mesh = {{ 2 * (one.angle - arm.angle) + 3 * (two.angle - arm.angle + 0.1 * sin(two.angle - arm.angle)) == 0; }}
+                joint next = {{ three.angle - two.angle + 0.1 * sin(three.angle - arm.angle) == 0; }}
+                drive swing = drive_angle(arm, {arm}rad + 1rad_s * t); drive motor = drive_angle(one, {one}rad); }}"
+        ));
+        let [two, three] = ["two.angle", "three.angle"].map(|name| start(&compiled, name));
+        let (first, second) = (two - arm, three - arm);
+        assert!((2.0 * (one - arm) + 3.0 * (first + 0.1 * first.sin())).abs() < 1e-9, "{two} for {arm} and {one}");
+        assert!((three - two + 0.1 * second.sin()).abs() < 1e-9, "{three} for {arm} and {one}");
+    }
+}
+
 #[test]
 fn bodies_that_must_be_parallel_make_whole_turns_together() {
     let source = |crank: f64, table: f64| {
