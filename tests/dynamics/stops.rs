@@ -124,14 +124,17 @@ fn friction_slows_a_block_down_by_its_law() {
 /// The block stops after the whole way of its law, and stays there: a stiff motion, since the creep dies down within milliseconds.
 #[test]
 fn friction_stops_a_block() {
-    let slides = Slides::<f64> { transition: 1e-3 };
-    let mut state = slides.initial_state().expect("a state");
-    let mut integrator = Integrator::stiff(1e-7);
-    slides.advance(&mut state, 1.5, &mut integrator).expect("it stops");
-    let [_, way] = time_and_way(3.0, 1e-3, 4.0);
-    assert!((state.block().position.x - way).abs() < 1e-7 && (way - 9.0 / 8.0).abs() < 2e-6, "{} m, not {way}", state.block().position.x);
-    assert!(state.block().velocity.x.abs() < 1e-9, "{} m/s", state.block().velocity.x);
-    assert!(integrator.accepted < 1000, "{} steps", integrator.accepted);
+    for transition in [1e-3, 1e-4, 1e-5, 1e-6] {
+        let slides = Slides::<f64> { transition };
+        let mut state = slides.initial_state().expect("a state");
+        let mut integrator = Integrator::stiff(1e-7);
+        slides.advance(&mut state, 1.5, &mut integrator).expect("it stops");
+        let [_, way] = time_and_way(3.0, transition, 4.0);
+        let place = state.block().position.x;
+        assert!((place - way).abs() < 1e-7 && (way - 9.0 / 8.0).abs() < 2e-6, "{place} m, not {way}");
+        assert!(state.block().velocity.x.abs() < 1e-9, "{} m/s", state.block().velocity.x);
+        assert!(integrator.accepted < 1000, "{} steps at {transition} m/s", integrator.accepted);
+    }
 }
 
 /// Down a slope of 3 in 4, m g sin = 12 N, friction of at most 16 N holds at the speed ε · 12 / √(16² − 12²).

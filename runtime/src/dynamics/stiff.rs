@@ -15,12 +15,15 @@ use super::accelerate::{accelerations, lengths};
 use super::equations::Dynamics;
 use super::method::{Method, Trial};
 use super::partition::Pivots;
-use super::places::{picked, put};
+use super::places::{largest, picked, put};
 use super::stopped::Stopped;
 use crate::number::Scalar;
 use crate::state::State;
 
 const STAGES: usize = 6;
+
+/// Times ε h: speeds change by at least this, in lengths and rad, so that rounding of accelerations up to a hundredth of it does not matter.
+const SLOPED: f64 = 1e5;
 
 /// γ
 const GAMMA: f64 = 0.25;
@@ -167,13 +170,18 @@ impl<T: Scalar, S, const N: usize, const I: usize, const M: usize> MotionAt<'_, 
         S: Dynamics<T, N, I, M, R>,
     {
         let lengths = lengths(self.mechanism);
+        // Speeds change by little against what they are and what they become in the step: friction may turn within that.
+        let [speed, change] = [motion[1], here].map(|rates| largest(rates, &lengths));
+        let fastest = speed.max(change * h.abs());
         let mut slopes = [[[T::ZERO; I]; I]; 2];
         for (part, slopes) in slopes.iter_mut().enumerate() {
             for column in 0..I {
                 let mut moved = motion.map(|values| *values);
-                let scale = if part == 0 { lengths[column] } else { lengths[column] / h.abs() };
+                let length = lengths[column];
+                let (scale, least) =
+                    if part == 0 { (length, T::ZERO) } else { (length * fastest, T::of(SLOPED) * T::EPSILON * length * h.abs()) };
                 let before = moved[part][column];
-                let after = before + T::ROOT_EPSILON * before.abs().max(scale);
+                let after = before + (T::ROOT_EPSILON * before.abs().max(scale)).max(least);
                 moved[part][column] = after;
                 let there = self.at([&moved[0], &moved[1]], t)?;
                 for (row, (there, here)) in slopes.iter_mut().zip(there.iter().zip(here)) {

@@ -16,7 +16,7 @@
 ///
 /// It does not stick: a load below coefficient · normal makes the slide creep, at a speed below `transition` where it is less than 71 % of
 /// that. Take as `transition` a speed that counts as standing still. Where it is small against the speeds of the motion, use `Integrator::stiff`,
-/// whose steps become long again once the slide stands; below 1 mm/s, in a mechanism of a metre, they stay short.
+/// whose steps become long again once the slide stands.
 /// For friction between two points, such as the seals of a cylinder that swings, write
 /// `actuator(P, Q, -F * rate(norm(Q - P)) / sqrt(rate(norm(Q - P))^2 + transition^2))`.
 ///
