@@ -231,7 +231,8 @@ fn a_line_unwinds_from_one_base_circle_onto_the_other_while_the_centres_pass() {
                 // Directions of the points of contact, and the lengths that have unwound since.
                 let [d_one, d_two] = [line.touch[0] - one.position, line.touch[1] - two.position].map(|radius| radius.y.atan2(radius.x));
                 let (before_one, before_two, was) = *first.get_or_insert((d_one, d_two, None));
-                let unwound = $side * (r_one * (one.angle - near(d_one, before_one)) + kind * r_two * (two.angle - near(d_two, before_two)));
+                let side: f64 = $side;
+                let unwound = side * (r_one * (one.angle - near(d_one, before_one)) + kind * r_two * (two.angle - near(d_two, before_two)));
                 let rest = unwound - kind * (line.touch[1] - line.touch[0]).norm();
                 let was: f64 = was.unwrap_or(rest);
                 first = Some((before_one, before_two, Some(was)));
