@@ -14,7 +14,7 @@
 //! their profiles, the linkages by joints; angles, velocities and accelerations agree, turn after turn. Handbooks give the angles:
 //!
 //! ```text
-//!   knife    sin α = (c − e cos θ) / a                                     α pressure angle, θ angle of the cam
+//!   knife    sin α = (e cos θ − c) / a                                     α pressure angle, θ angle of the cam
 //!   roller   cos μ = ((a + ρ)² + l² − |QE|²) / (2 (a + ρ) l)               α = 90° − μ
 //!   face     φ = arg(E − P) − arcsin(a / |PE|),   α = 0
 //! ```

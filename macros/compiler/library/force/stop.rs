@@ -34,6 +34,7 @@ force stop(
     damping: Time / Length = 0,
 ) {
     require P.body != Q.body: "the two ends of a stop lie on the same body";
+    require force >= 0: "a stop pushes, and its force is not negative";
     require depth > 0: "the depth of a stop, at which it has its force, is above zero";
     require exponent >= 1: "a stop with an exponent below 1 is infinitely stiff at first touch";
     require damping >= 0: "the damping of a stop is not negative";

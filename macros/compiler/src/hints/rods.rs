@@ -2,6 +2,7 @@
 //!
 //! A point at the distance of the whole length lies outside of a rod that has its centre at the origin.
 
+use super::is_zero;
 use crate::diag::{Doubt, Warning};
 use crate::syntax::ast::{Expression, ExpressionKind, Feature, FrameItem, Item, Mechanism};
 
@@ -32,7 +33,10 @@ fn of_body(body: &FrameItem) -> Option<Warning> {
     let [length] = lengths.as_slice() else { return None };
     let is_rod = shape.name.as_ref().is_some_and(|name| name == "rod");
     let components = |point: &Expression| match &point.kind {
-        ExpressionKind::Tuple(parts) if parts.first().is_some_and(|along| is_same(along, length)) => parts.len(),
+        ExpressionKind::Tuple(parts) => match parts.split_first() {
+            Some((along, across)) if is_same(along, length) && across.iter().all(is_zero) => parts.len(),
+            _ => 0,
+        },
         _ => 0,
     };
     let is_at_end = |mark: &Feature| is_rod && inertia.along.is_none() && !mark.is_axis && components(&mark.value) > 0;

@@ -194,6 +194,7 @@ fn rods_without_a_centre_are_doubted_where_a_point_lies_at_their_length() {
         "point A = (300mm, 0mm); center = (0mm, 0mm); inertia = rod(300mm);",
         "point A = (300mm, 0mm); center = (150mm, 0mm); inertia = rod(300mm);",
         "point A = (150mm, 0mm); inertia = rod(300mm);",
+        "point A = (300mm, 40mm); inertia = rod(300mm);",
         "point A = (300mm, 0mm); inertia = disk(300mm);",
         "axis u = (1, 0); inertia = rod(1m);",
     ] {

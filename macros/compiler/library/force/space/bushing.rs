@@ -22,7 +22,7 @@
 /// that of a torsion spring, and for small angles that of three. F acts on both bodies at Q: on body i as −F at P and the torque −d × F, so that
 /// momentum and angular momentum are kept.
 ///
-/// Degenerate case: at half a turn the rotation has two vectors, and the torque jumps; whole turns are not counted.
+/// Degenerate case: at half a turn the rotation has two vectors: the torque jumps, and has no value there. Whole turns are not counted.
 ///
 /// Reference: Masarati and Morandini (2010), Intrinsic deformable joints; Blundell and Harty, The Multibody Systems Approach to Vehicle Dynamics, on
 /// bushes.
