@@ -30,7 +30,7 @@ pub fn visit(visitor: &mut impl Visitor) {
         drive_relative_angle, drive_distance);
     visit!(visitor: units::AbsoluteX, units::AbsoluteY, units::AbsoluteAngle, units::AbsoluteDistance, units::DriveX, units::DriveY,
         units::DriveAngle, units::TwoAngles, units::ThreeAngles, units::FourAngles, units::PlanetaryOnGround, units::BeltOnGround,
-        library::Angles, library::OnCarrier, library::Willis, library::RackOnCarrier, library::Pushed, library::KnifeCams,
+        library::Angles, library::OnCarrier, library::Toothed, library::Willis, library::RackOnCarrier, library::Pushed, library::KnifeCams,
         library::RollerCams, library::FlatCams, library::Functions, laws::Laws, laws::Rises, laws::Tables, laws::Programs,
         mechanisms::FourBarCrankRocker, mechanisms::SliderCrank, mechanisms::QuickReturn, mechanisms::TheoJansenLeg,
         mechanisms::HydraulicLoader, mechanisms::TwoStageGearTrain, mechanisms::GearTrainOfPairs,

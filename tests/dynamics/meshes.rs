@@ -453,3 +453,33 @@ fn shafts_of_a_belt_carry_its_tension_and_pretension() {
     }
     shafts!(OpenRow, OpenForce, 0.08; CrossedRow, CrossedForce, -0.08);
 }
+
+mechanism! {
+    /// A planet whose mesh was declared without its carrier.
+    mechanism WithoutCarrier {
+        body sun {}
+        body planet {}
+        body arm { point A = (84mm, 0mm); }
+        joint of_sun = revolute(ground.position, sun.position);
+        joint of_arm = revolute(ground.position, arm.position);
+        joint pin = revolute(arm.A, planet.position);
+        joint mesh = involute_mesh(sun.position, planet.position, 48mm, 36mm, 0deg);
+        drive swing = drive_angle(arm, 1rad_s * t);
+        drive motor = drive_angle(sun, 2rad_s * t);
+    }
+}
+
+/// The line of centres turns away from that of the mesh, and after a quarter of a turn the row has no value: nothing jumps.
+#[test]
+fn a_mesh_without_its_carrier_ends_with_a_quarter_of_a_turn() {
+    let mechanism = WithoutCarrier::default();
+    let mut last = 0.0;
+    for state in mechanism.sweep((0..400).map(|k| 0.01 * f64::from(k))) {
+        let Ok(state) = state else { break };
+        // 48 (φ_sun − φ_arm) + 36 (φ_planet − φ_arm) = 0
+        let planet = (84.0 * state.arm().angle - 48.0 * state.sun().angle) / 36.0;
+        assert!((state.planet().angle - planet).abs() < 1e-12);
+        last = state.t;
+    }
+    assert!(last > 1.5 && last < core::f64::consts::FRAC_PI_2, "{last}");
+}

@@ -137,6 +137,32 @@ fn friction_stops_a_block() {
     }
 }
 
+mechanism! {
+    /// Pads that are lifted off within a second.
+    mechanism Lifted {
+        body block { mass = 3kg;  inertia = 1kgm2; }
+        body wheel { mass = 1kg;  inertia = 0.3kgm2; }
+        joint level = translational((1, 0), ground.position, block.position);
+        joint bearing = revolute(ground.position, wheel.position);
+        force rough = friction(ground.position, (1, 0), block.position, 30N * (1 - t / 1s), coefficient: 0.4, transition: 1mm_s);
+        force dry = torsion_friction(ground, wheel, 3Nm * (1 - t / 1s), transition: 0.01rad_s);
+        freedom slide = block.x at 5m_s;
+        freedom spin = wheel.angle at 30rad_s;
+    }
+}
+
+/// While a pad presses it takes F/2 · 1 s of the momentum, but for what is lost below the speed of transition; then nothing.
+#[test]
+fn pads_that_are_lifted_do_not_drive() {
+    let lifted = Lifted::default();
+    let mut state = lifted.initial_state().expect("a state");
+    for time in [1.0, 2.0, 3.0] {
+        lifted.advance(&mut state, time, &mut Integrator::new(1e-10)).expect("it moves");
+        assert!((state.block().velocity.x - (5.0 - 0.4 * 30.0 / 2.0 / 3.0)).abs() < 1e-6, "{}", state.block().velocity.x);
+        assert!((state.wheel().angular_velocity - (30.0 - 3.0 / 2.0 / 0.3)).abs() < 1e-6, "{}", state.wheel().angular_velocity);
+    }
+}
+
 /// Down a slope of 3 in 4, m g sin = 12 N, friction of at most 16 N holds at the speed ε · 12 / √(16² − 12²).
 #[test]
 fn friction_creeps_where_it_would_stick() {

@@ -25,6 +25,21 @@ declared! {
     }
 }
 declared! {
+    /// Gears whose teeth press on each other, one inside the other, and on a carrier.
+    #[equations_only]
+    Toothed (phase: Length = 1) {
+        body carrier {}
+        body a {}
+        body b {}
+        body c {}
+        // Seen from a line that turns with the centres, so that the rows have a value anywhere.
+        let outer = direction(b.position - a.position) - carrier.angle;
+        let inner = direction((0mm, 0mm) - c.position) - carrier.angle;
+        joint mesh = involute_mesh(a.position, b.position, 10mm, 15mm, outer + 30deg, c: phase, carrier: carrier);
+        joint ring = involute_mesh(c.position, (0mm, 0mm), 12mm, -18mm, inner - 50deg, 25deg, -1, carrier: carrier);
+    }
+}
+declared! {
     /// A differential, a general one, and a planetary train.
     #[equations_only]
     Willis (ratio: Number = 1, phase: Angle = 1, sun_teeth: Number = 20, ring_teeth: Number = 60) {

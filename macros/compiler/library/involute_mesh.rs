@@ -19,7 +19,8 @@
 ///
 /// Place the gears with revolute joints on the carrier. At the distance |a + b| the row is that of `gear_pair`. At another
 /// distance the ratio is the same, and the angle of action α' is another: the line unwinds from one base circle onto the other. Angles of
-/// gears are never wrapped, and the carrier may turn any number of times; on the carrier, the line of centres may turn by up to half a turn.
+/// gears are never wrapped, and the carrier may turn any number of times; on the carrier, the line of centres may turn by less than a quarter of a
+/// turn from `line`. Beyond that, as where the `carrier` was forgotten, the row has no value, and the motion ends.
 ///
 /// The multiplier λ is the force of the teeth at the pitch circles in N, with the torques −λ a on A and −λ b on B. Their normal force
 /// is λ / cos α: it acts along the taut line, at α' to the common tangent of the circles that roll on each other. Bearings carry it; the
@@ -45,7 +46,10 @@ constraint involute_mesh(
     require A.body != B.body: "a gear cannot mesh with itself";
     require carrier != A.body: "a gear does not carry its own mesh: the `carrier` is the body on which both gears have their axes";
     require carrier != B.body: "a gear does not carry its own mesh: the `carrier` is the body on which both gears have their axes";
-    let turned = wrap(direction(B - A) - carrier.angle - line);
+    let seen = carrier.angle + line;
+    // The root has no value where the line of centres has turned by more than a quarter of a turn.
+    let ahead = sqrt(dot((cos(seen), sin(seen)), B - A))^2;
+    let turned = atan(cross((cos(seen), sin(seen)), B - A) / ahead);
     let base = abs(a + b) * cos(pressure_angle);
     let taut = sqrt(dot(B - A, B - A) - base^2);
     let unwound = taut - base * atan(taut / base) - base * (tan(pressure_angle) - pressure_angle);

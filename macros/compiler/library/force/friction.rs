@@ -11,8 +11,9 @@
 /// ```
 ///
 /// The slide moves along `u`, an axis of the body of `P`, of unit length here. `normal` (N) is a value of one's own, such as the weight or the force
-/// of a clamp, and may depend on time, places and speeds; the loads of joints are not known to forces. Several pads have one force each. At the speed
-/// `transition` the friction is 71 % of Coulomb's, at three times it 95 %, and at seven times it 99 %.
+/// of a clamp, and may depend on time, places and speeds; where it is negative, there is no friction. The loads of joints are not known to forces.
+/// Several pads have one force each. At the speed `transition` the friction is 71 % of Coulomb's, at three times it 95 %, and at seven times it
+/// 99 %.
 ///
 /// It does not stick: a load below coefficient · normal makes the slide creep, at a speed below `transition` where it is less than 71 % of
 /// that. Take as `transition` a speed that counts as standing still. Where it is small against the speeds of the motion, use `Integrator::stiff`,
@@ -32,7 +33,8 @@ force friction(P: Point, u: Axis, Q: Point, normal: Force, coefficient: Number, 
     require transition > 0: "friction needs a speed of transition above zero";
     let d = Q - P;
     let v = rate(dot(unit(u), d));
-    let force = coefficient * normal * v / sqrt(v^2 + transition^2) * unit(u);
+    // One that varies may become negative: then nothing presses.
+    let force = coefficient * max(normal, 0) * v / sqrt(v^2 + transition^2) * unit(u);
     at Q: -force;
     at P: force;
     on P.body: cross(d, force);

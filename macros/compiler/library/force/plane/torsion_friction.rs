@@ -11,8 +11,9 @@
 /// ```
 ///
 /// `torque` (N m) is that of Coulomb's law, coefficient · normal force · radius of the pin, or that of a brake; it may depend on time, places and
-/// speeds. At the speed `transition` the friction is 71 % of it, at seven times it 99 %. It does not stick: under a smaller torque the hinge creeps.
-/// Where `transition` is small against the speeds of the motion, use `Integrator::stiff`. Degenerate case: a transition of zero, which is refused.
+/// speeds; where it is negative, there is none. At the speed `transition` the friction is 71 % of it, at seven times it 99 %. It does not stick:
+/// under a smaller torque the hinge creeps. Where `transition` is small against the speeds of the motion, use `Integrator::stiff`.
+/// Degenerate case: a transition of zero, which is refused.
 ///
 /// Reference: Marques, Flores, Pimenta Claro and Lankarani (2016), A survey and comparison of several friction force models for dynamic analysis of
 /// multibody mechanical systems.
@@ -21,7 +22,7 @@ force torsion_friction(one: Body, two: Body, torque: Torque, transition: Angular
     require torque >= 0: "a torque of friction is not negative";
     require transition > 0: "friction needs a speed of transition above zero";
     let turning = two.angular_velocity - one.angular_velocity;
-    let slowed = torque * turning / sqrt(turning^2 + transition^2);
+    let slowed = max(torque, 0) * turning / sqrt(turning^2 + transition^2);
     on two: -slowed;
     on one: slowed;
 }
