@@ -27,6 +27,7 @@ mechanism! {
         output uneven = spline(x, [(0, 1), (0.3, 2), (0.4, 1.5), (1.1, 1.75), (1.25, 1)], periodic) with jerk;
         output rest = spline(x, [(0, 1), (0.3, 2), (0.4, 1.5), (1.1, 1.75), (1.25, 1)], hold) with jerk;
         output lift = spline(t, [(0.25s, 5mm), (0.5s, 30mm), (0.75s, 20mm)], [(100mm_s, 2m_s2), (-40mm_s, 0m_s2)]) with jerk;
+        output flat = spline(x, [(0, 0), (1, 0), (3, 0)], [(2, 0), (0, 0)]);
         output two = spline(x, [(0, 0), (2, 3)]) with jerk;
     }
 }
@@ -160,6 +161,12 @@ fn splines_go_through_their_points_with_four_continuous_derivatives() -> Outcome
 fn a_spline_begins_and_ends_with_the_motion_given_and_goes_on_at_its_velocity() -> Outcome {
     let splines = Splines::default();
     let lift = |t: f64| -> Result<[f64; 4], Box<dyn std::error::Error>> { Ok(numbers(splines.lift(&splines.solve(t)?))) };
+    // Through zeros alone, from a velocity.
+    let flat = [0.0, 1.0, 3.0].map(|t| splines.solve(t).map(|state| splines.flat(&state)));
+    for (found, rate) in flat.into_iter().zip([2.0, f64::NAN, 0.0]) {
+        let found = found?;
+        assert!(found.value.abs() < 1e-14 && (rate.is_nan() || (found.rate - rate).abs() < 1e-14), "{found:?}");
+    }
     for (t, expected) in [
         (0.25, [0.005, 0.1, 2.0]),
         (0.5, [0.03, f64::NAN, f64::NAN]),

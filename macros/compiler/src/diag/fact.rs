@@ -222,6 +222,7 @@ pub enum ValueFact {
     SplineArity { found: usize },
     SplineTooLong { found: usize, limit: usize },
     SplineEnds,
+    SplineSwings,
     SharesOfLaw { found: [f64; 2] },
     SegmentsArity { found: usize },
     SegmentsNeedList,

@@ -18,6 +18,9 @@ use proc_macro2::Ident;
 /// The most points. Each interval is written out.
 const MOST: usize = 64;
 
+/// A spline that misses its points by more than this part of its size is refused.
+const MISSES: f64 = 1e-9;
+
 /// What is known at the ends.
 #[derive(Clone, Copy, PartialEq)]
 enum SplineEnds {
@@ -77,6 +80,7 @@ fn expression(work: &mut impl Valuer, range: Range, points: &[[Exact; 2]], ends:
     let (since, length) = (arena.sub(x.expr, first), arena.sub(last, first));
     let is_turn = x.measure.settled() == Dim::ANGLE && arena.value(length) == Some(TAU);
     let place = if ends == SplineEnds::Periodic { wrapped(work, since, length, is_turn) } else { since };
+    let size = size(points, ends);
     let mut pieces = Vec::new();
     for (pair, known) in points.windows(2).zip(motions(points, ends).unwrap_or_default().windows(2)) {
         let [from, to] = [pair[0][0], pair[1][0]].map(|place| work.arena().constant(place));
@@ -84,7 +88,7 @@ fn expression(work: &mut impl Valuer, range: Range, points: &[[Exact; 2]], ends:
         let (begin, width) = (arena.sub(from, first), arena.sub(to, from));
         let along = arena.sub(place, begin);
         let share = arena.div(along, width);
-        let Some(coefficients) = coefficients([pair[0], pair[1]], [known[0], known[1]]) else { break };
+        let Some(coefficients) = coefficients([pair[0], pair[1]], [known[0], known[1]], size) else { break };
         let arena = work.arena();
         let mut value = arena.integer(0);
         for coefficient in coefficients.into_iter().rev() {
@@ -94,17 +98,28 @@ fn expression(work: &mut impl Valuer, range: Range, points: &[[Exact; 2]], ends:
         pieces.push((begin, value));
     }
     if pieces.len() + 1 < points.len() {
-        return work.reject(range, ValueFact::NumberOutOfRange { number: "a coefficient of the spline".to_owned() });
+        return work.reject(range, ValueFact::SplineSwings);
     }
     let SplineEnds::Given([[first, _], [last, _]]) = ends else { return Some(piecewise(work, place, &pieces)) };
-    let zero = work.arena().integer(0);
-    let early = tangent(work, place, before, first)?;
+    let (zero, since) = (work.arena().integer(0), work.arena().sub(place, length));
+    let (Some(early), Some(late)) = (tangent(work, place, before, first), tangent(work, since, after, last)) else {
+        return work.reject(range, ValueFact::SplineSwings);
+    };
     pieces.insert(0, (zero, early));
     let inside = piecewise(work, place, &pieces);
-    let since = work.arena().sub(place, length);
-    let late = tangent(work, since, after, last)?;
     // In this order what is no number does not become one.
     Some(work.arena().select(length, place, late, inside))
+}
+
+/// The largest value at a point, or the way that a motion given at an end makes over the whole length.
+fn size(points: &[[Exact; 2]], ends: SplineEnds) -> f64 {
+    let length = points.first().zip(points.last()).map_or(0.0, |(first, last)| last[0].to_f64() - first[0].to_f64());
+    let of_points = points.iter().map(|point| point[1].to_f64().abs());
+    let of_ends = match ends {
+        SplineEnds::Periodic => [0.0; 2],
+        SplineEnds::Given(ends) => ends.map(|[velocity, acceleration]| (velocity * length).abs() + (acceleration * length * length).abs()),
+    };
+    of_points.chain(of_ends).fold(0.0, f64::max)
 }
 
 /// y + v s
@@ -117,7 +132,7 @@ fn tangent(work: &mut impl Valuer, since: Expr, value: Exact, velocity: f64) -> 
 }
 
 /// Coefficients of the powers of s from 0 to 1 in an interval, with the velocities and accelerations at its ends; `None` if one has no exact
-/// value.
+/// value, or if they are so large that their sum misses the end.
 ///
 /// ```text
 ///   y₀,   h v₀,   h² a₀/2,
@@ -125,7 +140,7 @@ fn tangent(work: &mut impl Valuer, since: Expr, value: Exact, velocity: f64) -> 
 ///   −15 Δ +  8 h v₀ + 7 h v₁ + 3/2 h² a₀ −     h² a₁        Δ = y₁ − y₀,  h = x₁ − x₀
 ///     6 Δ −  3 h v₀ − 3 h v₁ − 1/2 h² a₀ + 1/2 h² a₁
 /// ```
-fn coefficients([one, two]: [[Exact; 2]; 2], [[v0, a0], [v1, a1]]: [[f64; 2]; 2]) -> Option<[Exact; 6]> {
+fn coefficients([one, two]: [[Exact; 2]; 2], [[v0, a0], [v1, a1]]: [[f64; 2]; 2], size: f64) -> Option<[Exact; 6]> {
     let (width, rise) = (two[0].to_f64() - one[0].to_f64(), two[1].to_f64() - one[1].to_f64());
     let [v0, v1, a0, a1] = [width * v0, width * v1, width * width * a0, width * width * a1];
     let numbers = [
@@ -136,6 +151,9 @@ fn coefficients([one, two]: [[Exact; 2]; 2], [[v0, a0], [v1, a1]]: [[f64; 2]; 2]
         6.0 * rise - 3.0 * v0 - 3.0 * v1 - 0.5 * a0 + 0.5 * a1,
     ];
     let largest = numbers.into_iter().map(f64::abs).fold(one[1].to_f64().abs(), f64::max);
+    if f64::EPSILON * largest > MISSES * size {
+        return None;
+    }
     let mut exact = [one[1]; 6];
     for (place, number) in exact[1..].iter_mut().zip(numbers) {
         *place = Exact::binary(rounded(number, largest))?;

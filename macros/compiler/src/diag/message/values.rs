@@ -193,6 +193,10 @@ impl Display for ValueFact {
                 write!(f, "a spline is `periodic`, rests at both ends, `hold`, or has a velocity and an acceleration at each")?;
                 write!(f, "\nhelp: write `[(v0, a0), (v1, a1)]`, the derivatives at the first and at the last point")
             }
+            ValueFact::SplineSwings => {
+                write!(f, "between such points the spline swings further than its numbers have digits for")?;
+                write!(f, "\nhelp: give points at more even distances, or take a `table`")
+            }
             ValueFact::SharesOfLaw { found: [b, c] } => {
                 let [b, c] = [*b, *c].map(significant);
                 write!(
