@@ -52,8 +52,8 @@ pub enum Wanted {
     Body,
     /// A function, called with an argument.
     Function,
-    /// A function that is passed as an argument.
-    FunctionOfOne,
+    /// A function that is passed as an argument, with the names of the dimensions that it takes and gives.
+    FunctionOfOne([String; 2]),
     /// A rotation in space.
     Orientation,
     /// A joint of the named kind.

@@ -40,7 +40,6 @@ pub(super) fn of_kind(wanted: &Wanted, found: &Kind, ambient: Ambient) -> &'stat
         (Wanted::NumberOrVector, Kind::Orientation) => {
             "\nhelp: orientations are multiplied, and one stands before the vector that it turns"
         }
-        (Wanted::FunctionOfOne, _) => "\nhelp: declare one, such as `function name(x: Angle) -> Length = …;`",
         (Wanted::JointOf(_), Kind::JointOf(_)) => "",
         (Wanted::JointOf(_), _) => "\nhelp: write the name of the joint",
         _ => "",

@@ -35,7 +35,7 @@ impl Display for Wanted {
             Wanted::Axis => "an axis",
             Wanted::Body => "a body",
             Wanted::Function => "a function",
-            Wanted::FunctionOfOne => "a function of one variable",
+            Wanted::FunctionOfOne(_) => "a function of one variable",
             Wanted::Orientation => "an orientation, such as `turn((0, 0, 1), 30deg)`",
             Wanted::JointOf(kind) => return write!(f, "a `{kind}` joint"),
         })

@@ -26,7 +26,12 @@ impl Display for ValueFact {
                         }
                     }
                     (None, Some(turning)) => write!(f, "\nhelp: `{turning}` acts between axes, about them"),
-                    (None, None) => write!(f, "{}", remedy::of_kind(wanted, found, *ambient)),
+                    (None, None) => match wanted {
+                        Wanted::FunctionOfOne([from, to]) => {
+                            write!(f, "\nhelp: declare one, such as `function name(x: {from}) -> {to} = …;`")
+                        }
+                        _ => write!(f, "{}", remedy::of_kind(wanted, found, *ambient)),
+                    },
                 }
             }
             ValueFact::WrongArgumentDimension { parameter, definition, wanted, found } => {
