@@ -50,7 +50,7 @@ pub(crate) fn wanted(kind: &FormalKind) -> Wanted {
         FormalKind::Axis => Wanted::Axis,
         FormalKind::Body => Wanted::Body,
         FormalKind::Quantity => Wanted::Number,
-        FormalKind::Function(from, to) => Wanted::FunctionOfOne([from, to].map(|dimension| dimension_name(dimension))),
+        FormalKind::Function(from, to) => Wanted::FunctionOfOne([from, to].map(dimension_name)),
         FormalKind::Joint(kind) => Wanted::JointOf(kind.to_string()),
         FormalKind::Scalar(dimension) => Wanted::Quantity(dimension_name(dimension)),
     }
