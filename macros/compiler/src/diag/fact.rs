@@ -306,6 +306,8 @@ pub enum AssemblyFact {
         of: usize,
         drives: Vec<String>,
         has_none_anywhere: bool,
+        /// True for a mesh of involute gears, whose row depends on where the centres are seen from.
+        is_mesh: bool,
     },
     SingularStart {
         bodies: Vec<String>,
