@@ -98,3 +98,33 @@ fn events_are_located_in_stiff_steps() {
     let [x, _] = creeping(&sledge, state.t);
     assert!((state.sledge().position.x - 0.55).abs() < 1e-12 && (x - 0.05).abs() < 1e-8, "{x}");
 }
+
+mechanism! {
+    /// A block between two springs that are pressed together, slowed down so much that it creeps.
+    mechanism Preloaded {
+        param away: Length = 0m;
+        body block { mass = 1kg; }
+        joint rail = translational((1, 0), ground.position, block.position);
+        force left = spring_damper((-1m, 0m), block.position, 1e6N_m, rest: 1.1m, damping: 1e5Ns_m);
+        force right = spring((1m, 0m), block.position, 1e6N_m, rest: 1.1m);
+        freedom slide = block.x from away;
+    }
+}
+
+/// The forces of 100 kN cancel; what is left of their rounding neither moves the block nor shortens the steps. Released a millimetre away it
+/// returns by the slow one of both exponentials of ẍ + 10⁵ ẋ + 2·10⁶ x = 0.
+#[test]
+fn preloaded_springs_do_not_shorten_steps() {
+    let slow = -(1e5 - (1e10_f64 - 8e6).sqrt()) / 2.0;
+    for away in [0.0, 1e-3] {
+        let preloaded = Preloaded::<f64> { away };
+        let (mut state, mut integrator) = (preloaded.initial_state().expect("a state"), Integrator::stiff(1e-8));
+        let steps = [1.0, 10.0].map(|time| {
+            preloaded.advance(&mut state, time, &mut integrator).expect("it creeps");
+            let exact = away * (slow * time).exp() * (1.0 - slow / (-1e5 - slow)).recip();
+            assert!((state.block().position.x - exact).abs() < 1e-9, "{} m, not {exact} m", state.block().position.x);
+            integrator.accepted
+        });
+        assert!(steps[1] - steps[0] < 50, "{} steps at rest", steps[1] - steps[0]);
+    }
+}

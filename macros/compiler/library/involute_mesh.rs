@@ -8,14 +8,13 @@
 ///    ╲       ╱   _─▔       ╲         ╱         and the taut line of the teeth
 ///      ▔▔▔▔▔▜─▔             ╲_______╱
 ///
-///   a (φ_A − φ_k − θ) + b (φ_B − φ_k − θ) − c − s |a + b| (inv α' − inv α) = 0      1 row, m
+///   a (φ_A − φ_k − θ) + b (φ_B − φ_k − θ) − c − s sgn(b) |a + b| (inv α' − inv α) = 0      1 row, m
 ///   θ = arg(r_B − r_A) − φ_k − line,  cos α' = |a + b| cos α / |r_B − r_A|,  inv α = tan α − α
 /// ```
 ///
 /// `A` and `B` are the centres, points of the gears; `a` and `b` are pitch radii with signs as in `gear_pair`: the same sign for an
 /// external mesh, opposite ones for an internal one, in which the larger gear is the ring. α is the `pressure_angle` at the pitch circles,
-/// `line` the direction from A to B on the carrier k, which is ground unless said, and `c` the phase, 0 unless said. `side` s is 1 or −1;
-/// in an internal mesh it enters the row with the opposite sign, and also where a < 0.
+/// `line` the direction from A to B on the carrier k, which is ground unless said, and `c` the phase, 0 unless said. `side` s is 1 or −1.
 ///
 /// Place the gears with revolute joints on the carrier. At the distance |a + b| the row is that of `gear_pair`. At another
 /// distance the ratio is the same, and the angle of action α' is another: the line unwinds from one base circle onto the other. Angles of

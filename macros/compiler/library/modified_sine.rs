@@ -8,7 +8,7 @@
 /// ```
 ///
 /// 0 before u = 0, 1 after u = 1; its first and second derivatives are continuous.
-/// Peak values: velocity 4π/(4+π) ≈ 1.760, the smallest of the laws here without a jump of acceleration, and acceleration 4π²/(4+π) ≈ 5.528.
+/// Peak values: velocity 4π/(4+π) ≈ 1.760, the smallest of the named laws without a jump of acceleration, and acceleration 4π²/(4+π) ≈ 5.528.
 /// Its acceleration changes sign slowly, so that it takes the smallest peak of torque: it suits large turrets and tables.
 /// Multiply by the rise and give it the time over the duration:
 /// `rise * modified_sine((t - t0) / duration)`.

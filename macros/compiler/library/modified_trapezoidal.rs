@@ -10,7 +10,8 @@
 /// ```
 ///
 /// 0 before u = 0, 1 after u = 1; its first and second derivatives are continuous.
-/// Peak values: velocity 2, acceleration 8π/(2+π) ≈ 4.888, the smallest of the laws here without a jump.
+/// Peak values: velocity 2, acceleration 8π/(2+π) ≈ 4.888, the smallest of the named laws without a jump;
+/// `scca` with shorter edges has a smaller one.
 /// Multiply by the rise and give it the time over the duration:
 /// `rise * modified_trapezoidal((t - t0) / duration)`.
 ///

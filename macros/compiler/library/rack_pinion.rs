@@ -20,9 +20,9 @@
 /// Degenerate case: R = 0 is refused.
 ///
 /// The multiplier λ is the driving part of the tooth force, in N. The rack gets −λ û at the point `rack`, the pinion the torque −λ R, the
-/// carrier λ û on the line through `rack`, and the torque λ R. Teeth with the pressure angle α press on each other with |λ| / cos α, of
-/// which bearings carry more than the row says: the pinion's bearing λ û and |λ| tan α away from the rack, the forces of the teeth on the
-/// pinion, and the rack's guide |λ| tan α away from the pinion, at the contact. Let `rack` lie on the pitch line, |R| from the pinion's
+/// carrier λ û on the line through `rack`, and the torque λ R. Teeth with the pressure angle α press on each other with |λ| / cos α. The row
+/// leaves out two forces of that: the pinion's bearing carries λ û, and |λ| tan α away from the rack; the guide of the rack carries |λ| tan α
+/// away from the pinion, at the contact. Let `rack` lie on the pitch line, |R| from the pinion's
 /// centre: at a distance h from that line the torque on the guide is off by λ h.
 ///
 /// Reference: Haug, section 3.4.

@@ -1,10 +1,10 @@
 //! Symbols of springs and dampers between two points, in the plane and in space.
 
 /// Kinds of forces with a symbol.
-pub(crate) const KINDS: [&str; 7] = ["spring", "damper", "spring_damper", "constant_force", "gas_spring", "nonlinear_spring", "stop"];
+pub(crate) const KINDS: [&str; 7] = ["spring", "damper", "spring_damper", "constant_force", "gas_spring", "nonlinear_spring", STOP];
 
 /// The kind that gives way to the others.
-const STOP: &str = KINDS[6];
+const STOP: &str = "stop";
 
 /// Distance from the line between the points to each of a spring and a damper side by side.
 const BESIDE: f64 = 9.5;

@@ -13,6 +13,7 @@
 
 use super::accelerate::{accelerations, lengths};
 use super::equations::Dynamics;
+use super::integrator::least;
 use super::method::{Method, Trial};
 use super::partition::Pivots;
 use super::places::{largest, picked, put};
@@ -22,8 +23,9 @@ use crate::state::State;
 
 const STAGES: usize = 6;
 
-/// Times ε h: speeds change by at least this, in lengths and rad, so that rounding of accelerations up to a hundredth of it does not matter.
-const SLOPED: f64 = 1e5;
+/// A speed is changed by at least this times ε h lengths. Accelerations whose terms are up to a hundredth of it, in lengths/s², are rounded to ε of
+/// them, which changes h ∂a/∂v by a hundredth at most.
+const SLOPED: f64 = 1e7;
 
 /// γ
 const GAMMA: f64 = 0.25;
@@ -173,15 +175,15 @@ impl<T: Scalar, S, const N: usize, const I: usize, const M: usize> MotionAt<'_, 
         // Speeds change by little against what they are and what they become in the step: friction may turn within that.
         let [speed, change] = [motion[1], here].map(|rates| largest(rates, &lengths));
         let fastest = speed.max(change * h.abs());
+        let smallest = least(T::of(SLOPED) * T::EPSILON * h.abs(), T::ROOT_EPSILON / h.abs());
         let mut slopes = [[[T::ZERO; I]; I]; 2];
         for (part, slopes) in slopes.iter_mut().enumerate() {
             for column in 0..I {
                 let mut moved = motion.map(|values| *values);
                 let length = lengths[column];
-                let (scale, least) =
-                    if part == 0 { (length, T::ZERO) } else { (length * fastest, T::of(SLOPED) * T::EPSILON * length * h.abs()) };
+                let (scale, at_least) = if part == 0 { (length, T::ZERO) } else { (length * fastest, length * smallest) };
                 let before = moved[part][column];
-                let after = before + (T::ROOT_EPSILON * before.abs().max(scale)).max(least);
+                let after = before + (T::ROOT_EPSILON * before.abs().max(scale)).max(at_least);
                 moved[part][column] = after;
                 let there = self.at([&moved[0], &moved[1]], t)?;
                 for (row, (there, here)) in slopes.iter_mut().zip(there.iter().zip(here)) {

@@ -232,9 +232,9 @@ impl Numeric<'_> {
         // The angles that are known stay where they are.
         let holds = |equation: &usize, members: &[usize]| {
             let angles = self.system.equations[*equation].jacobian.iter().map(|(unknown, _)| *unknown);
-            let of_group = angles.filter(|unknown| members.binary_search(unknown).is_ok());
-            let (within, outside): (Vec<usize>, Vec<usize>) = of_group.partition(|unknown| unknowns.contains(unknown));
-            self.turns().are_linked_by(*equation) && !within.is_empty() && !outside.is_empty()
+            let mut are_own = angles.filter(|unknown| members.binary_search(unknown).is_ok()).map(|unknown| unknowns.contains(&unknown));
+            let Some(first) = are_own.next() else { return false };
+            self.turns().are_linked_by(*equation) && are_own.any(|is_own| is_own != first)
         };
         let counts = |unknown: &usize| {
             self.turns()

@@ -169,8 +169,8 @@ impl Judge<'_> {
         // A drive's function of time without a value has none at any configuration.
         let has_none_anywhere = joint.is_drive && (0..LOOKS).all(|look| !has_value_at(number, &self.numeric.anywhere(look)));
         let (row, of) = (equation.row + 1, joint.residuals.len());
-        let is_mesh = joint.kind == "involute_mesh";
-        let fact = AssemblyFact::HasNoValue { joint: joint.name.to_string(), row, of, drives, has_none_anywhere, is_mesh };
+        let (name, kind) = (joint.name.to_string(), joint.kind.clone());
+        let fact = AssemblyFact::HasNoValue { joint: name, row, of, drives, has_none_anywhere, kind };
         Some(((&joint.name).into(), fact))
     }
 

@@ -100,7 +100,8 @@ codes! {
     E0309: Value::VectorTimesVector Value::NumberByVector;
     E0310: Value::PowerOfDimension;
     // Values.
-    E0401: Value::NumberOutOfRange Value::NumberTooLong Value::SplineSwings;
+    E0401: Value::NumberOutOfRange Value::NumberTooLong Value::SplineSwings
+        Value::SplineOutOfRange;
     E0402: Value::NotFinite;
     E0403: Value::DivisionByZero;
     E0404: Equation::RequirementFails Equation::RequirementFailsAtDefaults;

@@ -223,6 +223,7 @@ pub enum ValueFact {
     SplineTooLong { found: usize, limit: usize },
     SplineEnds,
     SplineSwings,
+    SplineOutOfRange,
     SharesOfLaw { found: [f64; 2] },
     SegmentsArity { found: usize },
     SegmentsNeedList,
@@ -306,8 +307,7 @@ pub enum AssemblyFact {
         of: usize,
         drives: Vec<String>,
         has_none_anywhere: bool,
-        /// True for a mesh of involute gears, whose row depends on where the centres are seen from.
-        is_mesh: bool,
+        kind: String,
     },
     SingularStart {
         bodies: Vec<String>,

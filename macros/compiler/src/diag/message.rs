@@ -108,10 +108,7 @@ impl fmt::Display for Doubt {
                 }
             }
             Doubt::CenteredRod { body, point, center, origin } => {
-                write!(
-                    f,
-                    "`{body}` has its center of mass at its origin, and `{point}`, a whole length away, lies beyond the end of the rod"
-                )?;
+                write!(f, "`{body}` has its centre of mass at its origin, so that its rod ends at half the distance of `{point}`")?;
                 write!(f, "\nhelp: write `center = {center};`, or `center = {origin};` if the origin is meant")
             }
             Doubt::Undercut { joint, angle, radius, roller: Some(roller) } => {

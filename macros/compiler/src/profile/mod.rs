@@ -13,7 +13,7 @@ pub(crate) use table::table;
 
 use crate::diag::{Fact, Range};
 use crate::expr::spline::Table;
-use crate::expr::{Arena, Expr};
+use crate::expr::{Arena, Exact, Expr};
 use crate::model::Requirement;
 use crate::names::{Scalar, Scope};
 use crate::syntax::ast;
@@ -40,6 +40,17 @@ pub(crate) fn called(work: &mut impl Valuer, name: &Ident, arguments: &[ast::Exp
     } else {
         segments::segments(work, name, arguments, scope)
     }
+}
+
+/// True for this word alone.
+fn is_word(expr: &ast::Expression, word: &str) -> bool {
+    matches!(&expr.kind, ast::ExpressionKind::Path(path) if path.name.as_ref().is_some_and(|name| name == word))
+}
+
+/// The value of an expression of numbers; a root or a sine of numbers has no exact one and is rounded.
+fn constant(work: &mut impl Valuer, expr: Expr) -> Option<Exact> {
+    let arena = work.arena();
+    arena.as_constant(expr).or_else(|| arena.value(expr).and_then(Exact::binary))
 }
 
 /// Evaluates the expressions inside a profile.

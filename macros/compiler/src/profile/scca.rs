@@ -13,7 +13,7 @@
 //!
 //! Reference: Norton, Cam Design and Manufacturing Handbook, chapter 3, on the SCCA family.
 
-use super::{SCCA, Valuer};
+use super::{SCCA, Valuer, constant};
 use crate::diag::{ArityFact, ValueFact};
 use crate::expr::{Exact, Expr};
 use crate::names::{Scalar, Scope, Value};
@@ -28,7 +28,7 @@ pub(super) fn scca(work: &mut impl Valuer, name: &Ident, arguments: &[ast::Expre
         return work.reject(name.into(), ArityFact::FunctionArity { name: SCCA.to_owned(), wanted: 3, found: arguments.len() });
     };
     let (u, sine, constant) = (number(work, u, scope)?, share(work, b, scope)?, share(work, c, scope)?);
-    let cosine = sine.checked_add(constant).and_then(|sum| Exact::ONE.checked_sub(sum));
+    let cosine = rest(sine, constant);
     let Some(cosine) = cosine.filter(|cosine| [sine, constant, *cosine].iter().all(|share| share.signum() >= 0)) else {
         let found = [sine, constant].map(Exact::to_f64);
         return work.reject(name.into(), ValueFact::SharesOfLaw { found });
@@ -54,7 +54,7 @@ fn rise([sine, constant, cosine]: [bool; 3]) -> TokenStream {
         (sine, quote!(1), quote!(1 - A * (b / pi * (1 - u) - (b / pi) ^ 2 * sin(pi * (1 - u) / b)))),
     ];
     let mut lasting = parts.into_iter().filter(|(lasts, ..)| *lasts).rev();
-    // The last part is also that of what is no number.
+    // NaN is not less, and takes the last part, which contains u.
     let last = lasting.next().map_or_else(|| quote!(u), |(_, _, value)| value);
     let inside = lasting.fold(last, |after, (_, end, value)| quote!(if u < #end { #value } else { #after }));
     quote!(if u < 0 { 0 } else if 1 < u { 1 } else { #inside })
@@ -64,6 +64,13 @@ fn rise([sine, constant, cosine]: [bool; 3]) -> TokenStream {
 fn formula(work: &mut impl Valuer, name: &Ident, formula: TokenStream, scope: &Scope) -> Option<Expr> {
     let Some(expression) = parse_formula(formula) else { return work.reject(name.into(), ValueFact::NotALaw) };
     Some(work.number(&expression, scope)?.expr)
+}
+
+/// 1 − b − c, without the rounding of shares that fill the duration.
+fn rest(sine: Exact, constant: Exact) -> Option<Exact> {
+    let exact = sine.checked_add(constant).and_then(|sum| Exact::ONE.checked_sub(sum));
+    let rest = exact.or_else(|| Exact::binary(1.0 - sine.to_f64() - constant.to_f64()))?;
+    if rest.to_f64().abs() < 4.0 * f64::EPSILON { Some(Exact::ZERO) } else { Some(rest) }
 }
 
 /// An argument without a unit.
@@ -78,7 +85,7 @@ fn number(work: &mut impl Valuer, argument: &ast::Expression, scope: &Scope) -> 
 /// A share of the duration.
 fn share(work: &mut impl Valuer, argument: &ast::Expression, scope: &Scope) -> Option<Exact> {
     let expr = number(work, argument, scope)?;
-    match work.arena().as_constant(expr) {
+    match constant(work, expr) {
         Some(share) => Some(share),
         None => work.reject(argument.range, ValueFact::NotConstant { place: "a share of `scca`", help: "" }),
     }

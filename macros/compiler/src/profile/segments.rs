@@ -14,7 +14,7 @@
 //! its beginning and after its end.
 
 use super::piecewise::{piecewise, turn, wrapped};
-use super::{SCCA, SEGMENTS, SPLINE, Valuer};
+use super::{SCCA, SEGMENTS, SPLINE, Valuer, is_word};
 use crate::diag::{ArityFact, Range, ValueFact};
 use crate::expr::{Exact, Expr, Leaf, Unary, derivative};
 use crate::model::Requirement;
@@ -107,10 +107,6 @@ pub(crate) fn segments(work: &mut impl Valuer, name: &Ident, arguments: &[ast::E
     require(work, &program);
     let expr = expression(work, &program, scope)?;
     Some(Scalar { expr, measure: program.measure })
-}
-
-fn is_word(expr: &ast::Expression, word: &str) -> bool {
-    matches!(&expr.kind, ExpressionKind::Path(path) if path.name.as_ref().is_some_and(|name| name == word))
 }
 
 /// Reads a segment and adds it to the program.

@@ -5,7 +5,7 @@
 
 use super::piecewise::{piecewise, wrapped};
 use super::table::{pairs, returns, values};
-use super::{SPLINE, Valuer};
+use super::{SPLINE, Valuer, is_word};
 use crate::diag::{Range, ValueFact};
 use crate::expr::{Exact, Expr};
 use crate::linear::dense::solve;
@@ -26,7 +26,12 @@ const MISSES: f64 = 1e-9;
 enum SplineEnds {
     Periodic,
     /// Velocity and acceleration at the first and at the last point.
-    Given([[f64; 2]; 2]),
+    Given([[Exact; 2]; 2]),
+}
+
+impl SplineEnds {
+    /// At rest, without acceleration.
+    const REST: SplineEnds = SplineEnds::Given([[Exact::ZERO; 2]; 2]);
 }
 
 /// The expression of a spline.
@@ -48,7 +53,7 @@ pub(super) fn spline(work: &mut impl Valuer, name: &Ident, arguments: &[ast::Exp
     let mut measure = columns[1];
     let ends = match ends {
         Some(ends) => read(work, ends, argument.measure, &mut measure, scope)?,
-        None => SplineEnds::Given([[0.0; 2]; 2]),
+        None => SplineEnds::REST,
     };
     if ends == SplineEnds::Periodic {
         returns(work, SPLINE, items, &points, measure)?;
@@ -60,13 +65,13 @@ pub(super) fn spline(work: &mut impl Valuer, name: &Ident, arguments: &[ast::Exp
 /// The ends as written.
 fn read(work: &mut impl Valuer, ends: &ast::Expression, from: InferredDim, to: &mut InferredDim, scope: &Scope) -> Option<SplineEnds> {
     match &ends.kind {
-        ExpressionKind::Path(path) if path.name.as_ref().is_some_and(|name| name == "periodic") => Some(SplineEnds::Periodic),
-        ExpressionKind::Path(path) if path.name.as_ref().is_some_and(|name| name == "hold") => Some(SplineEnds::Given([[0.0; 2]; 2])),
+        _ if is_word(ends, "periodic") => Some(SplineEnds::Periodic),
+        _ if is_word(ends, "hold") => Some(SplineEnds::REST),
         ExpressionKind::List(items) if items.len() == 2 => {
             let mut columns = [to.per(from), to.per(from).per(from)];
             let [first, last] =
                 [values(work, SPLINE, &items[0], &mut columns, scope)?, values(work, SPLINE, &items[1], &mut columns, scope)?];
-            Some(SplineEnds::Given([first, last].map(|end| end.map(Exact::to_f64))))
+            Some(SplineEnds::Given([first, last]))
         }
         _ => work.reject(ends.range, ValueFact::SplineEnds),
     }
@@ -81,14 +86,15 @@ fn expression(work: &mut impl Valuer, range: Range, points: &[[Exact; 2]], ends:
     let is_turn = x.measure.settled() == Dim::ANGLE && arena.value(length) == Some(TAU);
     let place = if ends == SplineEnds::Periodic { wrapped(work, since, length, is_turn) } else { since };
     let size = size(points, ends);
+    let Some(motions) = motions(points, ends) else { return work.reject(range, ValueFact::SplineSwings) };
     let mut pieces = Vec::new();
-    for (pair, known) in points.windows(2).zip(motions(points, ends).unwrap_or_default().windows(2)) {
+    for (pair, known) in points.windows(2).zip(motions.windows(2)) {
         let [from, to] = [pair[0][0], pair[1][0]].map(|place| work.arena().constant(place));
         let arena = work.arena();
         let (begin, width) = (arena.sub(from, first), arena.sub(to, from));
         let along = arena.sub(place, begin);
         let share = arena.div(along, width);
-        let Some(coefficients) = coefficients([pair[0], pair[1]], [known[0], known[1]], size) else { break };
+        let coefficients = coefficients(work, range, [pair[0], pair[1]], [known[0], known[1]], size)?;
         let arena = work.arena();
         let mut value = arena.integer(0);
         for coefficient in coefficients.into_iter().rev() {
@@ -97,17 +103,13 @@ fn expression(work: &mut impl Valuer, range: Range, points: &[[Exact; 2]], ends:
         }
         pieces.push((begin, value));
     }
-    if pieces.len() + 1 < points.len() {
-        return work.reject(range, ValueFact::SplineSwings);
-    }
-    let SplineEnds::Given([[first, _], [last, _]]) = ends else { return Some(piecewise(work, place, &pieces)) };
+    let SplineEnds::Given([[early, _], [late, _]]) = ends else { return Some(piecewise(work, place, &pieces)) };
     let (zero, since) = (work.arena().integer(0), work.arena().sub(place, length));
-    let (Some(early), Some(late)) = (tangent(work, place, before, first), tangent(work, since, after, last)) else {
-        return work.reject(range, ValueFact::SplineSwings);
-    };
+    let [early, late] =
+        [(place, before, early), (since, after, late)].map(|(since, value, velocity)| tangent(work, since, value, velocity));
     pieces.insert(0, (zero, early));
     let inside = piecewise(work, place, &pieces);
-    // In this order what is no number does not become one.
+    // NaN is not less, and takes the last branch, which contains x.
     Some(work.arena().select(length, place, late, inside))
 }
 
@@ -117,22 +119,23 @@ fn size(points: &[[Exact; 2]], ends: SplineEnds) -> f64 {
     let of_points = points.iter().map(|point| point[1].to_f64().abs());
     let of_ends = match ends {
         SplineEnds::Periodic => [0.0; 2],
-        SplineEnds::Given(ends) => ends.map(|[velocity, acceleration]| (velocity * length).abs() + (acceleration * length * length).abs()),
+        SplineEnds::Given(ends) => ends.map(|end| {
+            let [velocity, acceleration] = end.map(Exact::to_f64);
+            (velocity * length).abs() + (acceleration * length * length).abs()
+        }),
     };
     of_points.chain(of_ends).fold(0.0, f64::max)
 }
 
 /// y + v s
-fn tangent(work: &mut impl Valuer, since: Expr, value: Exact, velocity: f64) -> Option<Expr> {
-    let velocity = Exact::binary(velocity)?;
+fn tangent(work: &mut impl Valuer, since: Expr, value: Exact, velocity: Exact) -> Expr {
     let arena = work.arena();
     let (value, velocity) = (arena.constant(value), arena.constant(velocity));
     let way = arena.mul(velocity, since);
-    Some(arena.add(value, way))
+    arena.add(value, way)
 }
 
-/// Coefficients of the powers of s from 0 to 1 in an interval, with the velocities and accelerations at its ends; `None` if one has no exact
-/// value, or if they are so large that their sum misses the end.
+/// Coefficients of the powers of s from 0 to 1 in an interval, with the velocities and accelerations at its ends.
 ///
 /// ```text
 ///   y₀,   h v₀,   h² a₀/2,
@@ -140,7 +143,15 @@ fn tangent(work: &mut impl Valuer, since: Expr, value: Exact, velocity: f64) -> 
 ///   −15 Δ +  8 h v₀ + 7 h v₁ + 3/2 h² a₀ −     h² a₁        Δ = y₁ − y₀,  h = x₁ − x₀
 ///     6 Δ −  3 h v₀ − 3 h v₁ − 1/2 h² a₀ + 1/2 h² a₁
 /// ```
-fn coefficients([one, two]: [[Exact; 2]; 2], [[v0, a0], [v1, a1]]: [[f64; 2]; 2], size: f64) -> Option<[Exact; 6]> {
+///
+/// They are refused if they are so large that their sum misses the end, or if they cannot be kept.
+fn coefficients(
+    work: &mut impl Valuer,
+    range: Range,
+    [one, two]: [[Exact; 2]; 2],
+    [[v0, a0], [v1, a1]]: [[f64; 2]; 2],
+    size: f64,
+) -> Option<[Exact; 6]> {
     let (width, rise) = (two[0].to_f64() - one[0].to_f64(), two[1].to_f64() - one[1].to_f64());
     let [v0, v1, a0, a1] = [width * v0, width * v1, width * width * a0, width * width * a1];
     let numbers = [
@@ -151,23 +162,31 @@ fn coefficients([one, two]: [[Exact; 2]; 2], [[v0, a0], [v1, a1]]: [[f64; 2]; 2]
         6.0 * rise - 3.0 * v0 - 3.0 * v1 - 0.5 * a0 + 0.5 * a1,
     ];
     let largest = numbers.into_iter().map(f64::abs).fold(one[1].to_f64().abs(), f64::max);
-    if f64::EPSILON * largest > MISSES * size {
-        return None;
+    let is_off = f64::EPSILON * largest > MISSES * size;
+    if is_off || !largest.is_finite() {
+        return work.reject(range, ValueFact::SplineSwings);
     }
     let mut exact = [one[1]; 6];
     for (place, number) in exact[1..].iter_mut().zip(numbers) {
-        *place = Exact::binary(rounded(number, largest))?;
+        let Some(kept) = rounded(number, largest) else { return work.reject(range, ValueFact::SplineOutOfRange) };
+        *place = kept;
     }
     Some(exact)
 }
 
-/// A number without the digits below 2⁻⁷⁰ of the largest one, so that what is left fits an exact number.
-fn rounded(number: f64, largest: f64) -> f64 {
-    if largest == 0.0 || !largest.is_finite() {
-        return number;
+/// A number as a multiple of 2⁻⁷⁰ of the largest one, or of 2⁻¹¹⁹; `None` if it is too large or if that is too coarse.
+fn rounded(number: f64, largest: f64) -> Option<Exact> {
+    if number == 0.0 {
+        return Some(Exact::ZERO);
     }
-    let unit = libm::scalbn(1.0, libm::ilogb(largest) - 70);
-    libm::round(number / unit) * unit
+    let exponent = libm::ilogb(largest);
+    let power = (exponent - 70).max(-119);
+    if exponent - power < 52 {
+        return None;
+    }
+    let whole = libm::round(libm::scalbn(number, -power)) as i128;
+    let unit = 1_i128.checked_shl(power.unsigned_abs())?;
+    if power < 0 { Exact::ratio(whole, unit) } else { Exact::ratio(whole.checked_mul(unit)?, 1) }
 }
 
 /// Velocity and acceleration at each point, such that the third and the fourth derivative do not jump; `None` if there are none.
@@ -197,7 +216,7 @@ fn motions(points: &[[Exact; 2]], ends: SplineEnds) -> Option<Vec<[f64; 2]>> {
         let before = if knot == 0 { intervals - 1 } else { knot - 1 };
         match (ends, knot == 0, knot == intervals) {
             (SplineEnds::Given(given), first, last) if first || last => {
-                let [velocity, acceleration] = given[usize::from(last)];
+                let [velocity, acceleration] = given[usize::from(last)].map(Exact::to_f64);
                 (matrix[third][third], right[third]) = (1.0, velocity * unit);
                 (matrix[fourth][fourth], right[fourth]) = (1.0, acceleration * unit * unit);
             }

@@ -1,6 +1,6 @@
 //! `table(x, [(x0, y0), …], periodic)`: a cubic spline through points.
 
-use super::Valuer;
+use super::{Valuer, constant};
 use crate::diag::{Range, ValueFact};
 use crate::expr::Exact;
 use crate::expr::spline::{Ends, Table};
@@ -41,8 +41,8 @@ pub(super) fn pairs(
 ) -> Option<Vec<[Exact; 2]>> {
     let mut pairs: Vec<[Exact; 2]> = Vec::new();
     for item in items {
-        let [at, _] = pair(work, item)?;
-        let [x, y] = values(work, word, item, columns, scope)?;
+        let [at, value] = pair(work, item)?;
+        let (x, y) = (entry(work, word, at, &mut columns[0], scope)?, entry(work, word, value, &mut columns[1], scope)?);
         if let Some([before, _]) = pairs.last().filter(|last| last[0].to_f64() >= x.to_f64()) {
             let [before, found] = [before, &x].map(|value| value.to_f64());
             return work.reject(at.range, ValueFact::TableNotIncreasing { word, before, found, dim: columns[0].settled() });
@@ -119,11 +119,7 @@ fn entry(work: &mut impl Valuer, word: &'static str, entry: &ast::Expression, co
         "table" => ("an entry of a table", "multiply the table by what changes"),
         _ => ("an entry of a spline", "multiply the spline by what changes"),
     };
-    let exact = work.arena().as_constant(scalar.expr);
-    // A root or a sine of numbers has no exact value.
-    let is_number = work.arena().leaves(scalar.expr).is_empty();
-    let constant = exact.or_else(|| is_number.then(|| work.at_defaults(&[scalar.expr])[0]).and_then(Exact::binary));
-    match constant {
+    match constant(work, scalar.expr) {
         Some(value) => Some(value),
         None => work.reject(entry.range, ValueFact::NotConstant { place, help }),
     }

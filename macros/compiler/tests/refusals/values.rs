@@ -61,8 +61,8 @@ crate::refusals! {
     item spline_with_one_end: "output b = spline(crank.angle, [(0deg, 1mm), (90deg, 2mm)], «[(0, 0)]»);" => "a spline is `periodic`, rests at both ends, `hold`, or has a velocity and an acceleration at each\nhelp: write `[(v0, a0), (v1, a1)]`, the derivatives at the first and at the last point";
     item spline_that_ends_with_a_length: "output b = spline(crank.angle, [(0deg, 1mm), (90deg, 2mm)], [(0, 0), («2kg», 0)]);" => "expected a quantity in m/rad, found a mass (kg)";
     item spline_through_too_many: "output b = «spline»(t / 1s, [(0, 0), (1, 0), (2, 0), (3, 0), (4, 0), (5, 0), (6, 0), (7, 0), (8, 0), (9, 0), (10, 0), (11, 0), (12, 0), (13, 0), (14, 0), (15, 0), (16, 0), (17, 0), (18, 0), (19, 0), (20, 0), (21, 0), (22, 0), (23, 0), (24, 0), (25, 0), (26, 0), (27, 0), (28, 0), (29, 0), (30, 0), (31, 0), (32, 0), (33, 0), (34, 0), (35, 0), (36, 0), (37, 0), (38, 0), (39, 0), (40, 0), (41, 0), (42, 0), (43, 0), (44, 0), (45, 0), (46, 0), (47, 0), (48, 0), (49, 0), (50, 0), (51, 0), (52, 0), (53, 0), (54, 0), (55, 0), (56, 0), (57, 0), (58, 0), (59, 0), (60, 0), (61, 0), (62, 0), (63, 0), (64, 0)]);" => "a spline goes through 64 points at most, found 65\nhelp: `table` takes any number of points";
-    item spline_beyond_all_numbers: "output b = «spline»(t / 1s, [(0, 0), (1, 1e-36)]);" => "between such points the spline swings further than its numbers have digits for\nhelp: give points at more even distances, or take a `table`";
-    item spline_through_points_at_uneven_distances: "output b = «spline»(t / 1s, [(0, 0), (1e-6, 1), (999, 3)]);" => "between such points the spline swings further than its numbers have digits for\nhelp: give points at more even distances, or take a `table`";
+    item spline_beyond_all_numbers: "output b = «spline»(t / 1s, [(0, 0), (1, 1e-36)]);" => "the numbers of this spline are too small or too large to be kept\nnote: in m, rad, s and kg, they lie between 1e-16 and 1e36";
+    item spline_through_points_at_uneven_distances: "output b = «spline»(t / 1s, [(0, 0), (1e-6, 1), (999, 3)]);" => "the spline overshoots so far between its points that its digits run out\nhelp: give points at more even distances, or take a `table`";
     item law_of_too_many_shares: "output b = «scca»(t / 1s, 0.6, 0.5);" => "`scca(u, b, c)` has shares b and c of the duration that are not negative and at most 1 together, found 0.6 and 0.5";
     item law_of_a_negative_share: "output b = «scca»(t / 1s, -1/4, 0.5);" => "`scca(u, b, c)` has shares b and c of the duration that are not negative and at most 1 together, found -0.25 and 0.5";
     item law_of_one_share: "output b = «scca»(t / 1s, 0.5);" => "`scca` takes 3 arguments, found 2";
@@ -183,7 +183,7 @@ fn rods_without_a_centre_are_doubted_where_a_point_lies_at_their_length() {
     };
     let said = |point: &str, center: &str, origin: &str| {
         vec![format!(
-            "`b` has its center of mass at its origin, and `{point}`, a whole length away, lies beyond the end of the rod\n\
+            "`b` has its centre of mass at its origin, so that its rod ends at half the distance of `{point}`\n\
              help: write `center = {center};`, or `center = {origin};` if the origin is meant"
         )]
     };

@@ -16,7 +16,7 @@
 ///
 /// `P` and the axis `u` belong to body one, `Q` to body two; u has unit length here, and turns with body one. Q yields from P by d, and F acts on
 /// both bodies at Q: on body one as −F at P and the torque −d × F, so that momentum and angular momentum are kept however large d is. Unless
-/// said, both directions are equally stiff and equally damped, and there is no damping.
+/// said, stiffness and damping across u are those along it, and torsion and all damping are 0. What it stores is in the potential energy.
 ///
 /// Stiffness in N/m, torsion in N m/rad, damping in N s/m and N m s/rad. Angles are not wrapped. Degenerate case: none.
 ///

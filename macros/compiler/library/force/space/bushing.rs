@@ -8,9 +8,9 @@
 ///                │ ╱╲╱╲╱╲╱╲╱╲╱╲╱╲╱╲╱╲╱╲╱ │
 ///                └───────────────────────┘
 ///
-///   F = −Σ (stiffness_i d_i + damping_i ḋ_i) i_a on the body of `Q` at Q, −F on that of `P` at the same place      i = x, y, z
-///   T = −J (torsion_x θ_x, torsion_y θ_y, torsion_z θ_z) − Σ torsion_damping_i ω_i i_a on the body of `Q`, −T on that of `P`
-///   d_i = i_a · (r_Q − r_P)      ω_i = i_a · (ω_j − ω_i)
+///   F = −Σ (stiffness_k d_k + damping_k ḋ_k) k_a on the body of `Q` at Q, −F on that of `P` at the same place      k = x, y, z
+///   T = −J (torsion_x θ_x, torsion_y θ_y, torsion_z θ_z) − Σ torsion_damping_k ω_k k_a on the body of `Q`, −T on that of `P`
+///   d_k = k_a · (r_Q − r_P)      ω_k = k_a · (ω_j − ω_i)
 /// ```
 ///
 /// `P` and the axis `a` belong to body i, `Q` and `b` to body j. The axis lies along the bush, its `from` in the direction x_a; b and its `from` say
@@ -18,7 +18,7 @@
 /// N s/m, in N m/rad and N m s/rad. Unless said, those of y are those of x, as for a round bush, and there is no damping.
 ///
 /// Both angles and displacements may be large. θ = δ n is the vector of the rotation that leads from a to b, by the angle δ about n. The torque is
-/// that of the energy ½ Σ torsion_i θ_i²: J v = v + ½ θ × v + (1 − (δ/2) cot(δ/2)) / δ² θ × (θ × v). About one of the three axes alone it is
+/// that of the energy ½ Σ torsion_k θ_k²: J v = v + ½ θ × v + (1 − (δ/2) cot(δ/2)) / δ² θ × (θ × v). About one of the three axes alone it is
 /// that of a torsion spring, and for small angles that of three. F acts on both bodies at Q: on body i as −F at P and the torque −d × F, so that
 /// momentum and angular momentum are kept.
 ///

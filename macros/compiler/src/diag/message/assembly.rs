@@ -20,14 +20,14 @@ impl Display for AssemblyFact {
                 write!(f, "no way was found to close {} together, not even with one of them left open", list(joints))?;
                 remedy(f, drives, starts, bound.as_deref())
             }
-            AssemblyFact::HasNoValue { joint, row, of, drives, has_none_anywhere, is_mesh } => {
+            AssemblyFact::HasNoValue { joint, row, of, drives, has_none_anywhere, kind } => {
                 write!(f, "{}", equation(*row, *of))?;
                 let place = if *has_none_anywhere { "at t = 0" } else { "near the start" };
                 write!(f, " of `{joint}` has no value {place}: a root of something negative, a division by zero or a number beyond 1e308")?;
                 if *has_none_anywhere {
                     return write!(f, "\nhelp: let `{joint}` have another value at t = 0");
                 }
-                if *is_mesh {
+                if kind == "involute_mesh" {
                     return write!(
                         f,
                         "\nhelp: `line` is the direction from `A` to `B`, whose distance exceeds |a + b| times the cosine of `pressure_angle`"

@@ -199,8 +199,12 @@ impl Display for ValueFact {
                 write!(f, "\nhelp: write `[(v0, a0), (v1, a1)]`, the derivatives at the first and at the last point")
             }
             ValueFact::SplineSwings => {
-                write!(f, "between such points the spline swings further than its numbers have digits for")?;
+                write!(f, "the spline overshoots so far between its points that its digits run out")?;
                 write!(f, "\nhelp: give points at more even distances, or take a `table`")
+            }
+            ValueFact::SplineOutOfRange => {
+                write!(f, "the numbers of this spline are too small or too large to be kept")?;
+                write!(f, "\nnote: in m, rad, s and kg, they lie between 1e-16 and 1e36")
             }
             ValueFact::SharesOfLaw { found: [b, c] } => {
                 let [b, c] = [*b, *c].map(significant);
