@@ -1,5 +1,6 @@
 //! Several mechanisms in the lanes of a register: each gives the same result as alone.
 
+mod branches;
 mod declared;
 
 use declared::{Linkage, Swing};

@@ -61,6 +61,20 @@ pub trait Real:
     /// `then` where `lhs < rhs`, `otherwise` elsewhere, also where one of the two is NaN.
     fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self;
 
+    /// The values of `then` where `lhs < rhs`, those of `otherwise` elsewhere, as [`select_less`](Self::select_less) would choose them. A number
+    /// that knows which of the two holds computes only that one.
+    #[inline]
+    #[must_use]
+    fn choose_less<const K: usize>(
+        lhs: Self,
+        rhs: Self,
+        then: impl FnOnce() -> [Self; K],
+        otherwise: impl FnOnce() -> [Self; K],
+    ) -> [Self; K] {
+        let (then, otherwise) = (then(), otherwise());
+        core::array::from_fn(|k| Self::select_less(lhs, rhs, then[k], otherwise[k]))
+    }
+
     /// The greater of the two; `self` where they cannot be compared.
     #[must_use]
     fn max(self, other: Self) -> Self {
@@ -93,6 +107,15 @@ macro_rules! comparisons {
         #[inline]
         fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self {
             if lhs < rhs { then } else { otherwise }
+        }
+        #[inline(always)]
+        fn choose_less<const K: usize>(
+            lhs: Self,
+            rhs: Self,
+            then: impl FnOnce() -> [Self; K],
+            otherwise: impl FnOnce() -> [Self; K],
+        ) -> [Self; K] {
+            if lhs < rhs { then() } else { otherwise() }
         }
     };
 }

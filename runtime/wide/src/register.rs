@@ -167,6 +167,23 @@ macro_rules! register {
             fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self {
                 Self(lhs.0.simd_lt(rhs.0).bitselect(then.0, otherwise.0))
             }
+            #[inline(always)]
+            fn choose_less<const K: usize>(
+                lhs: Self,
+                rhs: Self,
+                then: impl FnOnce() -> [Self; K],
+                otherwise: impl FnOnce() -> [Self; K],
+            ) -> [Self; K] {
+                let is_less = lhs.0.simd_lt(rhs.0);
+                match (is_less.all(), is_less.any()) {
+                    (true, _) => then(),
+                    (_, false) => otherwise(),
+                    _ => {
+                        let (then, otherwise) = (then(), otherwise());
+                        core::array::from_fn(|k| Self(is_less.bitselect(then[k].0, otherwise[k].0)))
+                    }
+                }
+            }
             #[inline]
             fn table(self, table: &Table) -> (Self, Self, Self) {
                 triple(self.to_array().map(|lane| lane.table(table)))

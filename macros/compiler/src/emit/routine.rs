@@ -135,5 +135,15 @@ pub(super) fn statement(model: &Model, printer: &Printer, step: &Step) -> TokenS
                 }
             }
         }
+        Step::Choice { lhs, rhs, members, branches } => {
+            let names = members.iter().map(|member| local(&printer.names[member]));
+            let [lhs, rhs] = [lhs, rhs].map(|side| printer.expression(*side));
+            let [then, otherwise] = branches.each_ref().map(|branch| {
+                let steps = branch.steps.iter().map(|step| statement(model, printer, step));
+                let results = branch.results.iter().map(|result| printer.expression(*result));
+                quote!(|| { #(#steps)* [#(#results),*] })
+            });
+            quote!(let [#(#names),*] = T::choose_less(#lhs, #rhs, #then, #otherwise);)
+        }
     }
 }

@@ -116,7 +116,7 @@ pub(super) fn lines(arena: &Arena, stages: &[Stage], n: usize, turned: &BTreeSet
         apart.clear();
     }
     hoisted.extend(&apart);
-    let mut work = Scheduler::new(arena, &roots, &hoisted, words);
+    let mut work = Scheduler::new(arena, &roots, &hoisted, words, &|expr| since(arena, stages, expr));
     for expr in &apart {
         work.serve(*expr);
     }
@@ -127,6 +127,19 @@ pub(super) fn lines(arena: &Arena, stages: &[Stage], n: usize, turned: &BTreeSet
     let name = |index: usize| [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration].map(|leaf| words.leaf(leaf(index as u32)));
     let cost = cost(arena, &work.needed);
     StraightLine { parts, names: work.names, unknowns: (0..n).map(name).collect(), turned, fixed, fixed_names, cost }
+}
+
+/// Number of the moment from which on a node is known if it is a leaf: after a stage its unknowns, then their rates and so on.
+fn since(arena: &Arena, stages: &[Stage], expr: Expr) -> usize {
+    let (derivative, unknown) = match arena.node(expr) {
+        Node::Leaf(Leaf::Coordinate(unknown)) => (1, *unknown as usize),
+        Node::Leaf(Leaf::Speed(unknown)) => (2, *unknown as usize),
+        Node::Leaf(Leaf::Acceleration(unknown)) => (3, *unknown as usize),
+        Node::Leaf(Leaf::Jerk(unknown)) => (4, *unknown as usize),
+        _ => return 0,
+    };
+    let stage = stages.iter().position(|stage| stage.unknowns().contains(&unknown));
+    stage.map_or(0, |number| 4 * number + if matches!(stages[number], Stage::Explicit { .. }) { 1 } else { derivative })
 }
 
 /// Maximal subexpressions of some roots that depend on parameters and on nothing else.

@@ -3,6 +3,7 @@
 //! In: a [`System`] and the expressions to be computed. Out: a [`Plan`], of which the [`Routine`]s are named steps for common subexpressions,
 //! and results that refer to them. Not done here: printing.
 
+mod choices;
 mod dynamics;
 mod elimination;
 mod finite;
@@ -38,7 +39,7 @@ pub use lines::{Iterated, StageCode, StraightLine};
 pub use loads::{LoadKind, LoadsCode, NamedLoad};
 pub use outputs::{OutputCode, Outputs};
 pub use rolled::{Code, Group, Target};
-pub use routine::{Cost, Routine, Step};
+pub use routine::{Branch, Cost, Routine, Step};
 pub use scene::SceneCode;
 pub use shape::{Column, Shape};
 pub use slice::Slice;

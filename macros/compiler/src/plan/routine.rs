@@ -43,6 +43,26 @@ pub enum Step {
         /// Names of value, first and second derivative, if used.
         names: [Option<String>; 3],
     },
+    /// Values of the branch that holds: the first one if `lhs < rhs`.
+    Choice {
+        /// Left side of the comparison.
+        lhs: Expr,
+        /// Its right side.
+        rhs: Expr,
+        /// The values.
+        members: Vec<Expr>,
+        /// Both branches.
+        branches: [Branch; 2],
+    },
+}
+
+/// Steps that are computed only where a branch holds.
+#[derive(Clone, Debug)]
+pub struct Branch {
+    /// Named steps.
+    pub steps: Vec<Step>,
+    /// Its values.
+    pub results: Vec<Expr>,
 }
 
 impl std::ops::Add for Cost {

@@ -1,16 +1,19 @@
 //! Schedules one routine: names nodes and orders their computation.
 
-use super::routine::{Cost, Routine, Step};
+use super::choices::Choices;
+use super::routine::{Branch, Cost, Routine, Step};
 use super::words::Words;
 use crate::expr::{Arena, Binary, Expr, Leaf, Node, Unary};
 use std::collections::{BTreeMap, BTreeSet};
+use std::mem::take;
+use std::rc::Rc;
 
 /// Deeper expressions are cut into named parts, so that lines stay short enough for a reader and for rustc's parser.
 const DEPTH: usize = 12;
 
 /// Schedules the computation of `results`; each is written once, right after its steps.
 pub(super) fn routine(arena: &Arena, results: Vec<Expr>, words: &Words) -> Routine {
-    let mut work = Scheduler::new(arena, &results, &BTreeSet::new(), words);
+    let mut work = Scheduler::new(arena, &results, &BTreeSet::new(), words, &|_| 0);
     let mut after = Vec::with_capacity(results.len());
     for result in &results {
         work.serve(*result);
@@ -33,6 +36,7 @@ pub(super) struct Scheduler<'a> {
     pub(super) needed: Vec<Expr>,
     /// Nodes that get a name.
     named: BTreeSet<Expr>,
+    choices: Rc<Choices>,
     pub(super) names: BTreeMap<Expr, String>,
     taken: BTreeSet<String>,
     pub(super) steps: Vec<Step>,
@@ -41,16 +45,26 @@ pub(super) struct Scheduler<'a> {
 }
 
 impl<'a> Scheduler<'a> {
-    /// Initial state; `forced` nodes get a name even if used only once.
-    pub(super) fn new(arena: &'a Arena, results: &[Expr], forced: &BTreeSet<Expr>, words: &Words) -> Scheduler<'a> {
+    /// Initial state; `forced` nodes get a name even if used only once. `since` says from which moment on a leaf is known: steps that need it are
+    /// added later than those that do not.
+    pub(super) fn new(
+        arena: &'a Arena,
+        results: &[Expr],
+        forced: &BTreeSet<Expr>,
+        words: &Words,
+        since: &dyn Fn(Expr) -> usize,
+    ) -> Scheduler<'a> {
         let mut needed = arena.reachable_to_values(results);
         needed.retain(|expr| arena.value(*expr).is_none());
         let mut named = named(arena, &needed, results);
         named.extend(forced.iter().filter(|expr| !has_own_name(arena.node(**expr))));
+        let roots = results.iter().chain(forced).copied().collect();
+        let choices = Rc::new(Choices::new(arena, &needed, &roots, since));
         let mut work = Scheduler {
             arena,
             needed,
             named,
+            choices,
             names: BTreeMap::new(),
             taken: words.taken(),
             steps: Vec::new(),
@@ -66,10 +80,12 @@ impl<'a> Scheduler<'a> {
         let all = self.arena.reachable_to_values(results);
         let needed: Vec<Expr> = all.into_iter().filter(|expr| moving.contains(expr)).collect();
         let named = named(self.arena, &needed, results);
+        let choices = Rc::new(Choices::new(self.arena, &needed, &results.iter().copied().collect(), &|_| 0));
         Scheduler {
             arena: self.arena,
             needed,
             named,
+            choices,
             names: self.names.clone(),
             taken: self.taken.clone(),
             steps: Vec::new(),
@@ -86,7 +102,7 @@ impl<'a> Scheduler<'a> {
 
     /// Returns the steps added since the last call.
     pub(super) fn take(&mut self) -> Vec<Step> {
-        std::mem::take(&mut self.steps)
+        take(&mut self.steps)
     }
 
     fn unique(&mut self, mut name: String) -> String {
@@ -104,10 +120,18 @@ impl<'a> Scheduler<'a> {
 
     /// Adds the missing steps of a result.
     pub(super) fn serve(&mut self, result: Expr) {
+        self.serve_all(&[result]);
+    }
+
+    fn serve_all(&mut self, results: &[Expr]) {
         let done = |expr: Expr| self.done.contains(&expr);
-        for expr in self.arena.reachable_down_to(&[result], done, |expr| self.arena.value(expr).is_some()) {
-            let is_elsewhere = self.needed.binary_search(&expr).is_err();
+        for expr in self.arena.reachable_down_to(results, done, |expr| self.arena.value(expr).is_some()) {
+            let is_elsewhere = self.needed.binary_search(&expr).is_err() || self.choices.hides(expr);
             if is_elsewhere || !self.done.insert(expr) {
+                continue;
+            }
+            if self.choices.of(expr).is_some() {
+                self.choose(expr);
                 continue;
             }
             match *self.arena.node(expr) {
@@ -121,6 +145,40 @@ impl<'a> Scheduler<'a> {
                 _ => {}
             }
         }
+    }
+
+    /// Adds one step for all values of a choice, after the steps on which they depend.
+    fn choose(&mut self, expr: Expr) {
+        let choices = self.choices.clone();
+        let (Some(choice), Node::Select { lhs, rhs, .. }) = (choices.of(expr), *self.arena.node(expr)) else { return };
+        self.done.extend(&choice.members);
+        let below: Vec<Expr> = choice.members.iter().flat_map(|member| self.arena.node(*member).children()).collect();
+        self.serve_all(&below);
+        let branches = [0, 1].map(|number| self.branch(&choice.inside[number], choice.results(self.arena, number)));
+        for member in &choice.members {
+            let name = self.next("v");
+            self.names.insert(*member, name);
+        }
+        self.steps.push(Step::Choice { lhs, rhs, members: choice.members.clone(), branches });
+    }
+
+    /// Steps of a branch for the nodes `inside` of it.
+    fn branch(&mut self, inside: &[Expr], results: Vec<Expr>) -> Branch {
+        let mut work = Scheduler {
+            arena: self.arena,
+            needed: inside.to_vec(),
+            named: named(self.arena, inside, &results),
+            choices: Rc::new(Choices::new(self.arena, inside, &results.iter().copied().collect(), &|_| 0)),
+            names: take(&mut self.names),
+            taken: take(&mut self.taken),
+            steps: Vec::new(),
+            done: take(&mut self.done),
+            counter: self.counter,
+        };
+        work.serve_all(&results);
+        let steps = work.take();
+        (self.names, self.taken, self.done, self.counter) = (work.names, work.taken, work.done, work.counter);
+        Branch { steps, results }
     }
 
     /// Adds one step for both sine and cosine of an angle.

@@ -59,41 +59,104 @@ fn sine_and_cosine(arena: &Arena, routine: &Routine, angle: Expr) -> Vec<Expr> {
     routine.names.keys().filter(is_of).copied().collect()
 }
 
+/// Asserts that a step needs only what is known, and adds what it computes.
+fn take(arena: &Arena, routine: &Routine, step: &Step, known: &mut BTreeSet<Expr>) {
+    match step {
+        Step::Value(value) => {
+            is_computed(arena, routine, known, *value);
+            assert!(known.insert(*value), "`{}` is computed twice", routine.names[value]);
+        }
+        Step::SineCosine { angle, .. } => {
+            is_computed(arena, routine, known, *angle);
+            known.extend(sine_and_cosine(arena, routine, *angle));
+        }
+        Step::Call { argument, function, .. } => {
+            is_computed(arena, routine, known, *argument);
+            let is_of = |expr: &&Expr| matches!(arena.node(**expr), Node::Call { function: of, argument: at, .. } if of == function && at == argument);
+            known.extend(routine.names.keys().filter(is_of).copied());
+        }
+        Step::Choice { lhs, rhs, members, branches } => {
+            [lhs, rhs].into_iter().for_each(|side| is_computed(arena, routine, known, *side));
+            for branch in branches {
+                let mut inside = known.clone();
+                branch.steps.iter().for_each(|step| take(arena, routine, step, &mut inside));
+                let unknown = branch.results.iter().filter(|result| !inside.contains(result));
+                unknown.for_each(|result| is_computed(arena, routine, &inside, *result));
+                assert_eq!(branch.results.len(), members.len());
+            }
+            assert!(members.iter().all(|member| known.insert(*member)), "a value is chosen twice");
+        }
+    }
+}
+
+fn is_computed(arena: &Arena, routine: &Routine, known: &BTreeSet<Expr>, root: Expr) {
+    for part in named_below(arena, routine, root) {
+        let is_leaf = matches!(arena.node(part), Node::Leaf(_));
+        assert!(is_leaf || known.contains(&part), "`{}` is used before it is computed", routine.names[&part]);
+    }
+}
+
 fn obeys_the_laws(arena: &Arena, routine: &Routine) {
     let mut known = BTreeSet::new();
-    let is_computed = |known: &BTreeSet<Expr>, root: Expr| {
-        for part in named_below(arena, routine, root) {
-            let is_leaf = matches!(arena.node(part), Node::Leaf(_));
-            assert!(is_leaf || known.contains(&part), "`{}` is used before it is computed", routine.names[&part]);
-        }
-    };
     let mut written = routine.results.iter().zip(&routine.after).peekable();
     for number in 0..=routine.steps.len() {
         while let Some((result, _)) = written.next_if(|(_, after)| **after <= number) {
             if !known.contains(result) {
-                is_computed(&known, *result);
+                is_computed(arena, routine, &known, *result);
             }
         }
         let Some(step) = routine.steps.get(number) else { break };
-        match step {
-            Step::Value(value) => {
-                is_computed(&known, *value);
-                assert!(known.insert(*value), "`{}` is computed twice", routine.names[value]);
-            }
-            Step::SineCosine { angle, .. } => {
-                is_computed(&known, *angle);
-                known.extend(sine_and_cosine(arena, routine, *angle));
-            }
-            Step::Call { argument, function, .. } => {
-                is_computed(&known, *argument);
-                let is_of = |expr: &&Expr| matches!(arena.node(**expr), Node::Call { function: of, argument: at, .. } if of == function && at == argument);
-                known.extend(routine.names.keys().filter(is_of).copied());
-            }
-        }
+        take(arena, routine, step, &mut known);
     }
     assert!(written.next().is_none(), "every result is written");
     let names: BTreeSet<&String> = routine.names.values().collect();
     assert_eq!(names.len(), routine.names.len(), "no two nodes share a name");
+}
+
+/// A slide by a program of motions, whose laws have a sine and a cosine each in three of their pieces.
+const PROGRAM: &str = "mechanism Program {
+    body slide { }
+    joint guide = translational((0, 1), ground.position, slide.position);
+    drive law = drive_y(slide.position, segments(60rpm * t, 0mm, [rise(20mm, 90deg, modified_sine), dwell(45deg),
+        fall(12mm, 100deg, modified_sine), fall(8mm, 60deg, cycloidal), dwell(65deg)], periodic));
+}";
+
+/// Sines among some steps: outside of branches, and at most where a branch is taken at each choice.
+fn sines(steps: &[Step]) -> [usize; 2] {
+    let mut sum = [0, 0];
+    for step in steps {
+        match step {
+            Step::SineCosine { .. } => sum = sum.map(|number| number + 1),
+            Step::Choice { branches, .. } => sum[1] += branches.iter().map(|branch| sines(&branch.steps)[1]).max().unwrap_or(0),
+            Step::Value(_) | Step::Call { .. } => {}
+        }
+    }
+    sum
+}
+
+#[test]
+fn a_branch_is_computed_where_it_holds() {
+    let plan = plan(PROGRAM);
+    for code in [&plan.phi, &plan.nu, &plan.gamma] {
+        let Code::Straight(routine) = code else { panic!("one drive is written once") };
+        obeys_the_laws(&plan.arena, routine);
+        // That of 60 rpm t, brought into one turn, and that of one piece.
+        let [outside, most] = sines(&routine.steps);
+        assert!(outside <= 1 && most <= 2, "{outside} and {most} sines");
+    }
+}
+
+#[test]
+fn a_short_branch_is_no_choice() {
+    let plan = plan(
+        "mechanism Short {
+        body slide { }
+        joint guide = translational((0, 1), ground.position, slide.position);
+        drive law = drive_y(slide.position, if t < 1s { 1m_s * t } else { 1m });
+    }",
+    );
+    let Code::Straight(routine) = &plan.phi else { panic!("one drive is written once") };
+    assert!(routine.steps.iter().all(|step| matches!(step, Step::Value(_))));
 }
 
 #[test]

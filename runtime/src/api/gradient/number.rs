@@ -242,6 +242,16 @@ impl<T: Float, const P: usize> Real for Gradient<T, P> {
         if lhs.value < rhs.value { then } else { otherwise }
     }
 
+    #[inline(always)]
+    fn choose_less<const K: usize>(
+        lhs: Self,
+        rhs: Self,
+        then: impl FnOnce() -> [Self; K],
+        otherwise: impl FnOnce() -> [Self; K],
+    ) -> [Self; K] {
+        if lhs.value < rhs.value { then() } else { otherwise() }
+    }
+
     fn table(self, table: &Table) -> (Self, Self, Self) {
         let (value, first, second) = self.value.table(table);
         self.derived([value, first, second, T::of(table.third_derivative(self.value.to_f64()))])
