@@ -180,3 +180,36 @@ fn a_dead_point_is_named() {
         assert!((time - dead).abs() < 1e-12 && ["a", "b", "d"].contains(&joint), "{joint} at {time} for {dead}");
     }
 }
+
+mechanism! {
+    /// A four-bar whose crank is driven by a torque that has no value beyond 1 rad.
+    pub(crate) mechanism Ending {
+        ground { point A = (0m, 0m);  point D = (4m, 0m); }
+        body crank   { point B = (1m, 0m);  inertia = 1kgm2; }
+        body coupler { point C = (3m, 0m);  mass = 1kg;  inertia = 1kgm2; }
+        body rocker  { point C = (3.5m, 0m);  inertia = 1kgm2;  start angle = 100deg; }
+        joint a = revolute(ground.A, crank.position);
+        joint b = revolute(crank.B, coupler.position);
+        joint c = revolute(coupler.C, rocker.C);
+        joint d = revolute(rocker.position, ground.D);
+        force push = { on crank: 1Nm * sqrt(1 - crank.angle / 1rad); }
+        freedom swing = crank.angle from 0.5rad at 1rad_s;
+    }
+}
+
+/// Where a force has no value its motion ends, and the joints, which are far from a place where they lock, are not to blame.
+#[test]
+fn a_force_without_a_value_is_not_taken_for_joints_that_lock() {
+    let ending = Ending::default();
+    for tolerance in [1e-6, 1e-9, 1e-12] {
+        let (mut plain, mut stiff) = (ending.initial_state().expect("a state"), ending.initial_state().expect("a state"));
+        let stopped = [
+            ending.advance(&mut plain, 2.0, &mut Integrator::new(tolerance)),
+            ending.advance(&mut stiff, 2.0, &mut Integrator::stiff(tolerance)),
+        ];
+        for (state, stopped) in [plain, stiff].iter().zip(stopped) {
+            assert!(matches!(stopped, Err(Stopped::NotFinite { .. } | Stopped::StepTooShort { .. })), "{tolerance:e}: {stopped:?}");
+            assert!((state.crank().angle - 1.0).abs() < 1e-3, "{tolerance:e}: stopped at {} rad", state.crank().angle);
+        }
+    }
+}

@@ -53,7 +53,7 @@ where
     let known = pivots.as_ref().map(|pivots| (pivots, T::of(WORSE)));
     parts
         .solve((jacobian, gamma), known, &lengths, &[true; M], &redundant(mechanism))
-        .map_err(|row| singular::<T, S, N, I, M, R>(t, row))?;
+        .map_err(|row| if is_finite((q, qd), t) { singular::<T, S, N, I, M, R>(t, row) } else { Stopped::NotFinite { time: t } })?;
     *pivots = Some(parts.pivots);
     let count = parts.independent();
     // M p
@@ -71,7 +71,7 @@ where
     }
     let order: [usize; I] = core::array::from_fn(|place| parts.independent_at(place));
     solve(mass, &order, &mut right, count).map_err(|k| {
-        if !q.iter().chain(qd).chain([&t]).all(|value| value.to_f64().is_finite()) {
+        if !is_finite((q, qd), t) {
             return Stopped::NotFinite { time: t };
         }
         let unknown = S::INTEGRATED.get(parts.independent_at(k)).copied().unwrap_or(0);
@@ -79,6 +79,10 @@ where
         Stopped::Massless { time: t, owner, coordinate }
     })?;
     Ok(parts.unknowns(&right))
+}
+
+fn is_finite<T: Scalar, const N: usize>((q, qd): (&SVector<T, N>, &SVector<T, N>), t: T) -> bool {
+    q.iter().chain(qd).chain([&t]).all(|value| value.to_f64().is_finite())
 }
 
 /// A row depends on the others.

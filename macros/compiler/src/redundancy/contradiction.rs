@@ -39,16 +39,13 @@ impl Search<'_, '_> {
     ///
     /// These cases are left to `mobility`:
     ///
-    /// - Freedoms are left: a joint is in the wrong place.
+    /// - Freedoms are left, and the joint is not declared as redundant: a joint is in the wrong place.
     /// - One of several drives is one too many, and the joint is not declared as redundant.
     /// - The joints close without the drives: they form a structure that cannot be driven.
     /// - The joints alone have more equations than coordinates, and many joints are involved: one of them is redundant.
     ///
     /// In the last two cases a joint that nearly fits, or is declared as redundant, is blamed here all the same: it was meant to fit.
     pub(super) fn contradiction(&mut self, start: &[f64]) {
-        if self.leaves_freedom(start) {
-            return;
-        }
         let model = self.numeric.model;
         let mut candidates: Vec<usize> = self.joints().into_iter().filter(|joint| !model.joints[*joint].is_drive).collect();
         candidates.sort_by_key(|joint| Reverse((model.joints[*joint].is_redundant, *joint)));
@@ -57,7 +54,8 @@ impl Search<'_, '_> {
         let Some((joint, q)) = found else { return };
         let pose = Pose { time: 0.0, q };
         let is_drive = |joint: usize| model.joints[joint].is_drive;
-        if !model.joints[joint].is_redundant && self.drives_contend(start) {
+        // Links that stay apart are least apart in line, where they seem to have a freedom.
+        if !model.joints[joint].is_redundant && (self.leaves_freedom(start) || self.drives_contend(start)) {
             return;
         }
         let is_meant = model.joints[joint].is_redundant || self.nearly_fits(joint, &pose) && self.nearly_follows(joint, &pose);
@@ -220,8 +218,7 @@ impl Numeric<'_> {
         let known = Values { time: pose.time, coordinates: &pose.q, ..self.known };
         let (mut length, mut angle): (Option<f64>, Option<f64>) = (None, None);
         for equation in self.system.of_joint(joint) {
-            // Constant products of unit vectors are those of axes that are askew.
-            let is_angle = equation.dim == Dim::ANGLE || equation.dim == Dim::NUMBER && equation.jacobian.is_empty();
+            let is_angle = equation.dim == Dim::ANGLE || equation.dim == Dim::NUMBER && self.is_of_turns(equation);
             let gap = if is_angle { &mut angle } else { &mut length };
             if let Some(way) = self.way(equation, known, pose.q.clone()) {
                 *gap = Some(gap.unwrap_or(0.0).hypot(way));
@@ -232,12 +229,14 @@ impl Numeric<'_> {
     }
 
     /// Distance by which one body must move until an equation holds, independent of any factor or power in the equation; in m, or in rad
-    /// for an equation of angles; the residual of a constant equation. `None` if the iteration diverges or no body can move.
+    /// for an equation of angles. Where nothing but turns changes a length, its residual; of a product of unit vectors, which is a sine, the
+    /// angle. `None` if the iteration diverges or no body can move.
     fn way(&self, equation: &Equation, known: Values, mut q: Vec<f64>) -> Option<f64> {
-        if equation.jacobian.is_empty() {
-            // Explicit unknowns have made a constant of it.
+        if equation.jacobian.is_empty() || self.is_of_turns(equation) && [Dim::NUMBER, Dim::LENGTH].contains(&equation.dim) {
+            // Explicit unknowns have made a constant of it, or there is no place to move: joints lead from body to body.
             let values = evaluate(&self.system.arena, &equation.phi().into_iter().collect::<Vec<Expr>>(), &known);
-            return values.first().map(|off| off.abs());
+            let off = values.first()?.abs();
+            return Some(if equation.dim == Dim::NUMBER { off.min(1.0).asin() } else { off });
         }
         let measures = if equation.dim == Dim::ANGLE { Dim::ANGLE } else { Dim::LENGTH };
         let entries = equation.jacobian.iter().filter(|(unknown, _)| self.system.coordinates[*unknown].role.dim() == measures);
@@ -253,6 +252,12 @@ impl Numeric<'_> {
         }
         let way = own.iter().map(|(unknown, _)| (q[*unknown] - begin[*unknown]).powi(2)).sum::<f64>().sqrt();
         way.is_finite().then_some(way)
+    }
+
+    /// True if no displacement changes the equation.
+    fn is_of_turns(&self, equation: &Equation) -> bool {
+        let is_length = |unknown: &usize| self.system.coordinates[*unknown].role.dim() == Dim::LENGTH;
+        !equation.jacobian.iter().any(|(unknown, _)| is_length(unknown))
     }
 
     /// Bodies in the equations of a joint.
