@@ -227,6 +227,21 @@ fn a_bushing_turned_about_one_axis_is_a_torsion_spring() {
     }
 }
 
+/// Close to half a turn the axis of the rotation loses digits as its distance from it becomes small, and the angle loses none.
+#[test]
+fn a_bushing_close_to_half_a_turn_keeps_its_digits() {
+    let twisted = Twisted::default();
+    let axis = triad([1.0, 2.0, 2.0], [1.0, 0.0, 0.0]).column(2).into_owned();
+    for left in [1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10] {
+        for sense in [1.0, -1.0] {
+            let angle = sense * (core::f64::consts::PI - left);
+            let torque = twisted.load_of_along(&twisted.solve(angle).expect("a state")).torques[0];
+            assert!((torque.dot(&axis) + 5.0 * angle).abs() < 1e-13 + (1e-15 / left).powi(2), "{torque} N m at {angle} rad");
+            assert!((torque + axis * (5.0 * angle)).norm() < 1e-13 + 1e-14 / left, "{torque} N m at {angle} rad");
+        }
+    }
+}
+
 mechanism! {
     /// A wheel that swings on a bush.
     pub(crate) mechanism Swinging in space {

@@ -56,9 +56,11 @@ force bushing(
     let sine_y = (dot(x_axis(a), z_axis(b)) - dot(z_axis(a), x_axis(b))) / 2;
     let sine_z = (dot(y_axis(a), x_axis(b)) - dot(x_axis(a), y_axis(b))) / 2;
     let half = (3 - dot(x_axis(a), x_axis(b)) - dot(y_axis(a), y_axis(b)) - dot(z_axis(a), z_axis(b))) / 4;
-    // δ / sin δ, and the factor of θ × (θ × v); by their series where both are 0/0.
-    let ratio = if half < 0.0001 { 1 + 2 * half / 3 + 8 * half^2 / 15 + 16 * half^3 / 35 } else { asin(sqrt(half)) / sqrt(half * (1 - half)) };
-    let factor = if half < 0.0001 { 1 / 12 + half / 180 + half^2 / 420 } else { (1 - ratio * (1 - half)) / (4 * ratio^2 * half * (1 - half)) };
+    // δ / sin δ, and the factor of θ × (θ × v); by their series where both are 0/0. Near half a turn 1 − sin²(δ/2) is rounding, and sin δ is not.
+    let sine = sqrt(sine_x^2 + sine_y^2 + sine_z^2);
+    let delta = atan2(sine, 1 - 2 * half);
+    let ratio = if half < 0.0001 { 1 + 2 * half / 3 + 8 * half^2 / 15 + 16 * half^3 / 35 } else { delta / sine };
+    let factor = if half < 0.0001 { 1 / 12 + half / 180 + half^2 / 420 } else { (1 - ratio * (1 - half)) / delta^2 };
     let angle_x: Angle = ratio * sine_x;
     let angle_y: Angle = ratio * sine_y;
     let angle_z: Angle = ratio * sine_z;
