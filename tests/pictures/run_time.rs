@@ -15,6 +15,24 @@ macro_rules! declared {
     };
 }
 
+mod listed {
+    reuleaux::mechanism! {
+        /// Outputs of several units and components.
+        #[picture]
+        #[outputs]
+        pub mechanism Listed {
+            body crank { point A = (50mm, 0mm); }
+            joint axle = revolute(ground.position, crank.position);
+            drive motor = drive_angle(crank, 60rpm * t);
+            output angle = crank.angle;
+            output pin = crank.A;
+            output share = crank.A.x / 50mm;
+            output speed = crank.angular_velocity;
+            output pose = crank;
+        }
+    }
+}
+
 declared!(engine {
     #[picture]
     pub mechanism Engine {
@@ -295,6 +313,25 @@ fn a_motion_in_space_is_seen_from_one_place() -> Result<(), Box<dyn Error>> {
     assert_ne!(drawn[3].svg(), drawn[0].svg());
     let shorter = across::AcrossCrank { crank_length: 0.07, ..across };
     assert_ne!(shorter.picture(&shorter.solve(0.0)?.0), across.picture(&states[0].0));
+    Ok(())
+}
+
+/// One call is as good as a line for each output.
+#[test]
+fn all_outputs_are_plotted_in_one_call() -> Result<(), Box<dyn Error>> {
+    let listed = listed::Listed::default();
+    let states = listed.sweep((0..20).map(|step| 0.05 * f64::from(step))).collect::<Result<Vec<_>, _>>()?;
+    let each = listed
+        .view(states.clone())
+        .plot("angle", "°", |state| listed.angle(state).value.to_degrees())
+        .plot("pin.x", "mm", |state| listed.pin(state).value.x * 1e3)
+        .and("pin.y", |state| listed.pin(state).value.y * 1e3)
+        .plot("share", "", |state| listed.share(state).value)
+        .plot("speed", "rad/s", |state| listed.speed(state).value)
+        .plot("pose.x", "mm", |state| state.crank().position.x * 1e3)
+        .and("pose.y", |state| state.crank().position.y * 1e3)
+        .plot("pose.angle", "°", |state| state.crank().angle.to_degrees());
+    assert_eq!(listed.view_outputs(states).to_html()?, each.to_html()?);
     Ok(())
 }
 

@@ -66,6 +66,34 @@ impl CurvePoint {
         CurvePoint::new(psi, &motion)
     }
 
+    /// The polar radius of the curve here with its derivatives by ψ, the angle of the point: the inverse of [`polar`](CurvePoint::polar).
+    ///
+    /// ```text
+    ///   R′ = −R (n · e_ψ) / (n · e_R)                    R″ = (R² + 2R′² − κ (R² + R′²)^(3/2)) / R
+    /// ```
+    ///
+    /// # Errors
+    /// [`CamError::NoNormal`] if the curve runs along the radius, or if the point is the origin.
+    pub fn polar_radius(&self) -> Result<Motion<f64>, CamError> {
+        let radius = length(self.point);
+        let along = self.point / radius;
+        let outward = self.normal.dot(&along);
+        if !is_positive(radius) || !is_positive(outward.abs()) {
+            return Err(CamError::NoNormal { at: self.at });
+        }
+        let rate = -radius * self.normal.dot(&perpendicular(along)) / outward;
+        let square = radius * radius + rate * rate;
+        // The normal of the outer wall of a groove is directed inwards.
+        let bend = self.curvature * outward.signum() * square * libm::sqrt(square);
+        Ok(Motion { value: radius, rate, acceleration: (square + rate * rate - bend) / radius })
+    }
+
+    /// The angle ψ (rad) of the point in the cam, from −π to π.
+    #[must_use]
+    pub fn direction_angle(&self) -> f64 {
+        libm::atan2(self.point.y, self.point.x)
+    }
+
     /// The curve that a moving point draws on the cam: for a roller its centre, which draws the pitch curve, for a knife its edge.
     ///
     /// # Errors

@@ -36,6 +36,11 @@ pub enum CamError {
         /// Angle (rad).
         at: f64,
     },
+    /// The points do not go once round the cam's centre, in one sense: R would not be a function of the direction.
+    NotRound {
+        /// Angle (rad).
+        at: f64,
+    },
     /// The follower does not reach its line: the offset is not smaller than the radius.
     OutOfReach {
         /// Angle (rad).
@@ -52,6 +57,7 @@ impl CamError {
             | CamError::TooHollow { at, .. }
             | CamError::NotConvex { at, .. }
             | CamError::NoNormal { at }
+            | CamError::NotRound { at }
             | CamError::OutOfReach { at } => at,
         }
     }
@@ -74,6 +80,7 @@ impl fmt::Display for CamError {
                 write!(f, "the flat face is undercut at {at:.2}°: h + h″ is {:.3} mm", radius * 1e3)
             }
             CamError::NoNormal { .. } => write!(f, "the curve has no normal away from the cam at {at:.2}°"),
+            CamError::NotRound { .. } => write!(f, "the points do not go once round the cam's centre, in one sense, from {at:.2}° on"),
             CamError::OutOfReach { .. } => write!(f, "the follower does not reach the cam at {at:.2}°: its offset is too large"),
         }
     }

@@ -30,6 +30,31 @@ pub struct Translating {
 }
 
 impl Translating {
+    /// The smallest cam whose pressure angle stays within `rise` (rad) where the follower rises, and within `fall` where it falls; at rest
+    /// within both. `lifts` are those of one turn. `None` if a cam of any size does, or if a limit does not lie between 0 and 90°.
+    ///
+    /// ```text
+    ///   √(R² − e²) = max |s′ − e| / tan α − s
+    /// ```
+    ///
+    /// Reference: Norton, Cam Design and Manufacturing Handbook, chapter 7.
+    #[must_use]
+    pub fn smallest(offset: f64, [rise, fall]: [f64; 2], lifts: impl IntoIterator<Item = Motion<f64>>) -> Option<Translating> {
+        let is_limit = |angle: f64| angle > 0.0 && angle < core::f64::consts::FRAC_PI_2;
+        if !is_limit(rise) || !is_limit(fall) {
+            return None;
+        }
+        let root = lifts.into_iter().fold(0.0_f64, |root, lift| {
+            let limit = match lift.rate {
+                rate if rate > 0.0 => rise,
+                rate if rate < 0.0 => fall,
+                _ => rise.min(fall),
+            };
+            root.max((lift.rate - offset).abs() / libm::tan(limit) - lift.value)
+        });
+        is_positive(root).then(|| Translating { prime_radius: libm::hypot(root, offset), offset })
+    }
+
     /// The pitch curve and the pressure angle for a lift.
     ///
     /// ```text
@@ -85,6 +110,21 @@ pub struct TranslatingFace {
 }
 
 impl TranslatingFace {
+    /// The smallest cam whose radius of curvature is nowhere smaller than `radius` (m). `lifts` are those of one turn. `None` if a cam of any size
+    /// is large enough.
+    ///
+    /// ```text
+    ///   R = ρ − min (s + s″)
+    /// ```
+    ///
+    /// Reference: Norton, Cam Design and Manufacturing Handbook, chapter 7.
+    #[must_use]
+    pub fn smallest(radius: f64, lifts: impl IntoIterator<Item = Motion<f64>>) -> Option<TranslatingFace> {
+        let least = lifts.into_iter().map(|lift| lift.value + lift.acceleration).fold(f64::INFINITY, f64::min);
+        let base_radius = radius - least;
+        (is_positive(base_radius) && base_radius.is_finite()).then_some(TranslatingFace { base_radius })
+    }
+
     /// The surface. The point of contact has the x coordinate s′ in ground, so that the face reaches as far as the largest and the smallest
     /// s′.
     ///

@@ -53,6 +53,68 @@
 //! # }
 //! ```
 //!
+//! # From a measured surface
+//!
+//! Readings of a radius at equal angles become a smooth surface by [`Harmonics`], this gives the pitch curve of a roller by
+//! [`CurvePoint::pitch`], and [`Profile`] makes it the law of a joint. Points that are not at equal angles begin with [`CurvePoint::through`].
+//!
+//! ```
+//! use std::sync::LazyLock;
+//!
+//! use reuleaux::{Real, mechanism};
+//! use reuleaux_cam::{CamError, CurvePoint, Harmonics, Profile};
+//!
+//! const ROLLER: f64 = 0.01;
+//!
+//! /// Radius of the surface (m): here a disc of 30 mm, 8 mm beside the shaft.
+//! fn read(degree: i32) -> f64 {
+//!     let (sine, cosine) = f64::from(degree).to_radians().sin_cos();
+//!     0.008 * cosine + (0.03 * 0.03 - 0.008 * 0.008 * sine * sine).sqrt()
+//! }
+//!
+//! static PITCH: LazyLock<Result<Profile<'static>, CamError>> = LazyLock::new(|| {
+//!     let readings: Vec<f64> = (0..360).map(read).collect();
+//!     let surface = Harmonics::<16>::of(&readings).ok_or(CamError::NotRound { at: 0.0 })?;
+//!     let angles = (0..360).map(|degree| f64::from(degree).to_radians());
+//!     let pitch = angles.map(|psi| CurvePoint::polar(psi, &surface.at(psi))?.pitch(ROLLER)).collect::<Result<Vec<_>, _>>()?;
+//!     Profile::new(pitch.leak())
+//! });
+//!
+//! /// R(ψ) of `cam_roller` with its derivatives.
+//! pub fn outline<T: Real>(psi: T) -> (T, T, T) {
+//!     psi.map(|psi| match &*PITCH {
+//!         Ok(pitch) => (pitch.radius(psi).value - ROLLER, pitch.radius(psi).rate, pitch.radius(psi).acceleration),
+//!         Err(_) => (f64::NAN, f64::NAN, f64::NAN),
+//!     })
+//! }
+//!
+//! mechanism! {
+//!     /// A slide on a cam that was measured.
+//!     pub mechanism Measured {
+//!         function outline(Angle) -> Length = crate::outline;
+//!         body cam { }
+//!         body slide { start y = 48mm; }
+//!         joint shaft = revolute(ground.position, cam.position);
+//!         joint guide = translational((0, 1), (0mm, 0mm), slide.position);
+//!         joint contact = cam_roller(cam.position, slide.position, 10mm, outline);
+//!         drive motor = drive_angle(cam, 60rpm * t);
+//!         output lift = slide.y;
+//!     }
+//! }
+//!
+//! fn main() -> Result<(), Box<dyn std::error::Error>> {
+//!     let measured = Measured::default();
+//!     for state in measured.sweep((0..=100).map(|step| 0.01 * f64::from(step))) {
+//!         let state = state?;
+//!         // The centre of the roller is 40 mm from the middle of the disc.
+//!         let (sine, cosine) = state.cam().angle.sin_cos();
+//!         let exact = 0.008 * sine + (0.04 * 0.04 - 0.008 * 0.008 * cosine * cosine).sqrt();
+//!         assert!((measured.lift(&state).value - exact).abs() < 1e-9);
+//!     }
+//!     Ok(())
+//! }
+//! ```
+//!
 //! Lengths are in m, angles in rad. No panic, no allocation, no standard library.
 
 #![no_std]
@@ -61,7 +123,11 @@
 
 mod curve;
 mod error;
+mod extremes;
 pub mod follower;
+mod profile;
 
 pub use curve::CurvePoint;
 pub use error::CamError;
+pub use extremes::{Extreme, Extremes};
+pub use profile::{Harmonics, Profile};

@@ -6,6 +6,8 @@ use reuleaux_view::View;
 use std::string::String;
 
 #[cfg(feature = "view")]
+use super::outputs::Outputs;
+#[cfg(feature = "view")]
 use crate::number::Float;
 use crate::state::{HasState, State};
 
@@ -79,6 +81,66 @@ pub trait Drawable<T, const N: usize>: Sketch<T, N> {
         let title: String = states.first().map(|state| self.sketch(state).name().into()).unwrap_or_default();
         View::new(&title, states, |state| state.t.to_f64(), |state| self.sketch(state))
     }
+
+    /// As [`view`](Self::view), with diagrams of all outputs, for a mechanism that is declared with `#[outputs]` as well: lengths in mm, angles in
+    /// degrees, and components of the same output and unit in one diagram.
+    ///
+    /// ```
+    /// use reuleaux::mechanism;
+    /// use reuleaux::picture::Drawable;
+    ///
+    /// mechanism! {
+    ///     #[picture]
+    ///     #[outputs]
+    ///     mechanism Crank {
+    ///         body crank { point A = (50mm, 0mm); }
+    ///         joint axle = revolute(ground.position, crank.position);
+    ///         drive motor = drive_angle(crank, 60rpm * t);
+    ///         output angle = crank.angle;
+    ///         output pin = crank.A;
+    ///     }
+    /// }
+    ///
+    /// let crank = Crank::default();
+    /// let states = crank.sweep((0..60).map(|step| f64::from(step) / 60.0)).collect::<Result<Vec<_>, _>>()?;
+    /// let page = crank.view_outputs(states).to_html()?;
+    /// assert!(page.contains("pin.x") && page.contains("pin.y"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[cfg(feature = "view")]
+    fn view_outputs<const K: usize>(&self, states: impl IntoIterator<Item = Self::State>) -> View<Self::State>
+    where
+        Self: Outputs<T, N, K> + Sized,
+        T: Float,
+    {
+        let mut view = self.view(states);
+        for (index, component) in Self::OUTPUTS.0.iter().enumerate() {
+            let (unit, per_unit) = shown(component.units[0]);
+            let of = |state: &Self::State| self.outputs(state)[index].value.to_f64() * per_unit;
+            let is_of_diagram = index.checked_sub(1).is_some_and(|before| {
+                let before = &Self::OUTPUTS.0[before];
+                before.units[0] == component.units[0] && output(before.name) == output(component.name)
+            });
+            view = if is_of_diagram { view.and(component.name, of) } else { view.plot(component.name, unit, of) };
+        }
+        view
+    }
+}
+
+/// The unit of diagrams for a unit of outputs, and how many of it these are.
+#[cfg(feature = "view")]
+fn shown(unit: &str) -> (&str, f64) {
+    match unit {
+        "m" => ("mm", 1e3),
+        "rad" => ("°", 1_f64.to_degrees()),
+        unit => (unit, 1.0),
+    }
+}
+
+/// The output of a component, `tip` of `tip.x`.
+#[cfg(feature = "view")]
+fn output(component: &str) -> &str {
+    component.rsplit_once('.').map_or(component, |(output, _)| output)
 }
 
 impl<M: Sketch<T, N>, T, const N: usize> Drawable<T, N> for M {}

@@ -92,6 +92,7 @@ pub enum GrammarFact {
     WithoutParentheses { what: &'static str, instead: String },
     PathOfConstraint { path: String, last: String },
     DoubleStar,
+    Return,
     MethodCall { name: String },
     SpaceBeforeUnit { number: String, unit: String },
     ExponentTooLarge { limit: u8 },

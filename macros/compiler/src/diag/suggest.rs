@@ -6,7 +6,7 @@ use crate::quantity::{unit, units};
 const LONGEST: usize = 60;
 
 /// Words of the language with their synonyms elsewhere.
-const SYNONYMS: [(&str, &[&str]); 63] = [
+const SYNONYMS: [(&str, &[&str]); 69] = [
     ("body", &["link", "bar", "rigid", "member", "bodie"]),
     ("ground", &["frame", "base", "world", "fixed"]),
     ("param", &["parameter", "var", "variable"]),
@@ -69,6 +69,12 @@ const SYNONYMS: [(&str, &[&str]); 63] = [
     ("stop", &["bump_stop", "bumper", "buffer", "end_stop", "hard_stop", "limit"]),
     ("stop_along", &["contact", "impact", "floor", "wall"]),
     ("smooth_step", &["step", "step5", "smoothstep", "ramp", "heaviside"]),
+    ("harmonic", &["simple_harmonic", "shm"]),
+    ("cycloidal", &["cycloid"]),
+    ("modified_sine", &["modsine", "mod_sine", "modified_sinusoidal", "modified_sinusoid"]),
+    ("modified_trapezoidal", &["modtrap", "mod_trap", "modified_trapezoid", "trapezoid", "trapezoidal"]),
+    ("polynomial_345", &["poly345", "poly_345", "polynomial_5", "quintic"]),
+    ("polynomial_4567", &["poly4567", "poly_4567", "polynomial_7", "septic"]),
     ("drive_angle", &["drive_velocity", "drive_angular_velocity", "drive_speed", "rotate"]),
 ];
 

@@ -237,7 +237,7 @@ fn table_of(page: &mut String, model: &Model, [title, value]: [&str; 2], rows: V
     }
     let is_bounded = rows.iter().any(|(parameter, _)| parameter.bounds.is_some());
     let (head, rule) = if is_bounded { (" in |", " --- |") } else { ("", "") };
-    let _ = writeln!(page, "\n# {title}\n\n| | {value} | unit |{head}\n| --- | --- | --- |{rule}");
+    let _ = writeln!(page, "\n# {title}\n\n| | {value} | in SI |{head}\n| --- | --- | --- |{rule}");
     let mut table = Abridged::new(model);
     for (parameter, value) in rows {
         if !table.shows([&parameter.name].into_iter()) {
@@ -245,7 +245,8 @@ fn table_of(page: &mut String, model: &Model, [title, value]: [&str; 2], rows: V
         }
         let bounds = parameter.bounds.as_ref().map_or("", |bounds| &bounds.text);
         let last = if is_bounded { format!(" {bounds} |") } else { String::new() };
-        let _ = writeln!(page, "| `{}` | {value} | {} |{last}", parameter.name.input_path(), parameter.dim.unit());
+        let in_si = format!("{value} {}", parameter.dim.unit());
+        let _ = writeln!(page, "| `{}` | {} | {} |{last}", parameter.name.input_path(), parameter.written, in_si.trim_end());
     }
     table.rest(page, |more| format!("| {more} | | |"));
 }

@@ -67,7 +67,7 @@ pub(crate) fn is_generated(name: &Ident, tree: &Mechanism) -> bool {
         || tree.task == Task::Motion && is_one_of(OF_MOTION)
         || has_inputs(tree) && word == "advance_once"
         || tree.requests.points.is_some() && word == "points"
-        || tree.requests.picture.is_some() && is_one_of(&["picture", "view", "scene"])
+        || tree.requests.picture.is_some() && is_one_of(&["picture", "view", "view_outputs", "scene"])
 }
 
 /// True if the load of some item is computed alone and may be called `load`: by the names of its parts, its own, and indices.

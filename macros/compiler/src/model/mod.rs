@@ -151,6 +151,8 @@ pub struct Parameter {
     pub dim: Dim,
     /// Default value, a constant.
     pub default: Expr,
+    /// The default as written: `45 rpm`; in SI where it is more than a number with a unit.
+    pub written: String,
     /// Declared range, if any.
     pub bounds: Option<Bounds>,
 }

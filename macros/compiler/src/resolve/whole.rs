@@ -183,11 +183,11 @@ impl Elaborator<'_> {
             None => None,
         };
         let value = self.numbers(&[], &[default])[0];
+        let written = in_words(&parameter.default, value, dim);
         if let Some(bounds) = bounds.as_ref().filter(|bounds| !bounds.hold(value)) {
-            let value = in_words(&parameter.default, value, dim);
-            return self.refuse(parameter.default.range, ValueFact::DefaultOutOfBounds { value, bounds: bounds.text.clone() });
+            return self.refuse(parameter.default.range, ValueFact::DefaultOutOfBounds { value: written, bounds: bounds.text.clone() });
         }
-        Some(Parameter { name: name.clone(), dim, default, bounds })
+        Some(Parameter { name: name.clone(), dim, default, written, bounds })
     }
 
     /// Resolves the names in a dimension.

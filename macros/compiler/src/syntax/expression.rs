@@ -201,6 +201,9 @@ fn atom(input: ParseStream, room: u16) -> Parsed<Expression> {
         let range = path.range;
         return node(ExpressionKind::Path(path), range);
     }
+    if input.peek(Token![return]) {
+        return wrong(input.span(), GrammarFact::Return);
+    }
     expected(input, "an expression")
 }
 

@@ -75,6 +75,10 @@ crate::refusals! {
     item segments_of_nothing: "output b = segments(crank.angle, 40mm, «[]»);" => "expected a list of segments, such as `[rise(5mm, 90deg, cycloidal), dwell(30deg)]`";
     item segments_with_unknown_ends: "output b = segments(crank.angle, 40mm, [dwell(360deg)], «cyclic»);" => "a program of segments is `periodic` or holds its ends, `hold`";
     item segments_of_an_unknown_word: "output b = segments(crank.angle, 40mm, [«lower»(5mm, 90deg, cycloidal)]);" => "a segment is `rise(height, duration, law)`, `fall(height, duration, law)` or `dwell(duration)`";
+    item segments_with_a_return: "output b = segments(crank.angle, 40mm, [rise(5mm, 90deg, cycloidal), «return»(5mm, 90deg, cycloidal)]);" => "expected an expression, found `return`\nhelp: a segment that goes down is `fall(height, duration, law)`";
+    item law_by_its_short_name: "output b = segments(crank.angle, 40mm, [rise(5mm, 90deg, «modsine»)]);" => "no function is called `modsine`\nhelp: did you mean `modified_sine`?";
+    item law_by_another_name: "output b = 5mm * «trapezoid»(crank.angle / 90deg);" => "no function is called `trapezoid`\nhelp: did you mean `modified_trapezoidal`?";
+    item polynomial_by_its_short_name: "output b = 5mm * «poly345»(crank.angle / 90deg);" => "no function is called `poly345`\nhelp: did you mean `polynomial_345`?";
     item segments_of_a_number: "output b = segments(crank.angle, 40mm, [«5mm»]);" => "a segment is `rise(height, duration, law)`, `fall(height, duration, law)` or `dwell(duration)`";
     item segment_without_law: "output b = segments(crank.angle, 40mm, [«rise»(5mm, 90deg)]);" => "`rise` takes 3 arguments, found 2";
     item dwell_with_height: "output b = segments(crank.angle, 40mm, [«dwell»(5mm, 90deg)]);" => "`dwell` takes 1 argument, found 2";

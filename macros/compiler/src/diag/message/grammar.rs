@@ -212,6 +212,9 @@ impl Display for GrammarFact {
             GrammarFact::PathOfConstraint { path, last } => {
                 write!(f, "a joint names its constraint by a single word\nhelp: write `use {path};` above, and `{last}(…)` here")
             }
+            GrammarFact::Return => {
+                write!(f, "expected an expression, found `return`\nhelp: a segment that goes down is `fall(height, duration, law)`")
+            }
             GrammarFact::DoubleStar => write!(f, "`**` is no operator\nhelp: a power is written `a^b`"),
             GrammarFact::MethodCall { name } if is_power(name) => write!(f, "there are no methods here\nhelp: a power is written `a^b`"),
             GrammarFact::MethodCall { name } => write!(f, "there are no methods here\nhelp: write `{name}(value)` for `value.{name}()`"),
