@@ -10,7 +10,7 @@ const WORTH: usize = 20;
 
 /// Values that one comparison chooses, and nodes that only its branches need.
 #[derive(Clone, Debug)]
-pub(super) struct Choice {
+pub(super) struct Branching {
     /// The values, `if lhs < rhs { then } else { otherwise }`.
     pub(super) members: Vec<Expr>,
     /// Nodes that only the first and that only the second branch needs, children first.
@@ -20,7 +20,7 @@ pub(super) struct Choice {
 /// All choices of some nodes, apart from those inside their branches.
 #[derive(Debug, Default)]
 pub(super) struct Choices {
-    pub(super) all: Vec<Choice>,
+    pub(super) all: Vec<Branching>,
     /// By value, the number of its choice.
     of: BTreeMap<Expr, usize>,
     /// Nodes inside branches.
@@ -41,8 +41,8 @@ impl Choices {
         let mut of = groups(arena, needed, since);
         while !of.is_empty() {
             let places = places(arena, needed, roots, &of);
-            let mut all: Vec<Choice> = Vec::new();
-            all.resize(of.values().max().map_or(0, |last| last + 1), Choice { members: Vec::new(), inside: [Vec::new(), Vec::new()] });
+            let mut all: Vec<Branching> = Vec::new();
+            all.resize(of.values().max().map_or(0, |last| last + 1), Branching { members: Vec::new(), inside: [Vec::new(), Vec::new()] });
             for expr in needed {
                 match (places.get(expr), of.get(expr)) {
                     (Some(NeededIn::Branch(group, branch)), _) => all[*group].inside[*branch].push(*expr),
@@ -62,7 +62,7 @@ impl Choices {
     }
 
     /// The choice of a value.
-    pub(super) fn of(&self, expr: Expr) -> Option<&Choice> {
+    pub(super) fn of(&self, expr: Expr) -> Option<&Branching> {
         self.of.get(&expr).map(|group| &self.all[*group])
     }
 
@@ -72,7 +72,7 @@ impl Choices {
     }
 }
 
-impl Choice {
+impl Branching {
     /// The values of one branch.
     pub(super) fn results(&self, arena: &Arena, branch: usize) -> Vec<Expr> {
         let of_branch = |member: &Expr| match *arena.node(*member) {
@@ -91,7 +91,9 @@ impl Choice {
 
 /// Groups by number of those values that the same comparison chooses, once all their leaves are known. No group depends on itself.
 fn groups(arena: &Arena, needed: &[Expr], since: &dyn Fn(Expr) -> usize) -> BTreeMap<Expr, usize> {
-    let (mut of, mut latest, mut below): (BTreeMap<Expr, usize>, BTreeMap<_, usize>, Vec<BTreeSet<usize>>) = Default::default();
+    let mut of: BTreeMap<Expr, usize> = BTreeMap::new();
+    let mut latest: BTreeMap<(Expr, Expr, usize), usize> = BTreeMap::new();
+    let mut below: Vec<BTreeSet<usize>> = Vec::new();
     if !needed.iter().any(|expr| matches!(arena.node(*expr), Node::Select { .. })) {
         return of;
     }
@@ -154,7 +156,8 @@ fn places(arena: &Arena, needed: &[Expr], roots: &BTreeSet<Expr>, groups: &BTree
 
 /// Sines and cosines of the same angle, and derivatives of the same function, which one step computes.
 fn together(arena: &Arena, needed: &[Expr]) -> Vec<Vec<Expr>> {
-    let (mut turns, mut calls): (BTreeMap<Expr, Vec<Expr>>, BTreeMap<(u32, Expr), Vec<Expr>>) = Default::default();
+    let mut turns: BTreeMap<Expr, Vec<Expr>> = BTreeMap::new();
+    let mut calls: BTreeMap<(u32, Expr), Vec<Expr>> = BTreeMap::new();
     for expr in needed {
         match *arena.node(*expr) {
             Node::Unary(Unary::Sin | Unary::Cos, angle) => turns.entry(angle).or_default().push(*expr),
