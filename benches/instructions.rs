@@ -11,6 +11,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
+use reuleaux_benches::workloads::Make;
 use reuleaux_benches::{times, workloads};
 
 /// By how much a step may grow.
@@ -33,10 +34,15 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// What runs under callgrind.
 fn follow(name: &str, steps: usize) -> Result<(), Box<dyn Error>> {
-    let all = workloads::all();
-    let workload = all.iter().find(|workload| workload.linkage.name == name).ok_or("no such workload")?;
-    (workload.generated)().sweep(&times()[..steps]);
+    let (_, generated) = all().into_iter().find(|(workload, _)| workload == name).ok_or("no such workload")?;
+    generated().sweep(&times()[..steps]);
     Ok(())
+}
+
+/// Names of all workloads, with what is generated for them.
+fn all() -> Vec<(String, Make)> {
+    let cams = workloads::cams().into_iter().map(|(name, generated)| (name.to_owned(), generated));
+    workloads::all().into_iter().map(|workload| (workload.linkage.name.to_owned(), workload.generated)).chain(cams).collect()
 }
 
 fn compare() -> Result<(), Box<dyn Error>> {
@@ -71,9 +77,9 @@ fn baseline() -> String {
 /// Instructions per step of all workloads.
 fn count() -> Result<Counts, Box<dyn Error>> {
     let mut counts = Counts::new();
-    for name in workloads::all().iter().map(|workload| workload.linkage.name) {
-        let steps = instructions(name, 2 * STEPS)? - instructions(name, STEPS)?;
-        counts.insert(name.to_owned(), (steps / STEPS as f64).round());
+    for (name, _) in all() {
+        let steps = instructions(&name, 2 * STEPS)? - instructions(&name, STEPS)?;
+        counts.insert(name, (steps / STEPS as f64).round());
     }
     Ok(counts)
 }

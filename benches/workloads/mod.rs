@@ -2,6 +2,7 @@
 //!
 //! W1 to W4 fall into blocks of two unknowns at most. The last two do not fall apart at all.
 
+mod cams;
 mod chain;
 mod four_bar;
 mod hexagon;
@@ -9,6 +10,7 @@ mod jansen;
 mod six_bar;
 mod slider_crank;
 
+pub use cams::cams;
 pub use chain::Chain10;
 pub use four_bar::FourBar;
 pub use jansen::Jansen;
@@ -17,12 +19,15 @@ pub use slider_crank::SliderCrank;
 use crate::contender::{Contender, Entry};
 use crate::linkage::Linkage;
 
+/// Makes a contender.
+pub type Make = fn() -> Box<dyn Contender>;
+
 /// A mechanism and everything that follows it.
 pub struct Workload {
     /// As data.
     pub linkage: Linkage,
     /// The mechanism generated from its declaration.
-    pub generated: fn() -> Box<dyn Contender>,
+    pub generated: Make,
     /// How that one is solved.
     pub plan: fn() -> reuleaux::Plan,
     /// All contenders; ratios are to the first.
