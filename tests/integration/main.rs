@@ -3,6 +3,7 @@
 mod at_rest;
 mod blocks;
 mod branches;
+mod choices;
 mod components;
 mod converged;
 mod crossings;

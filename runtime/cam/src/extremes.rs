@@ -51,7 +51,9 @@ impl Extremes {
     }
 
     fn joined(self, other: Extremes) -> Extremes {
-        let is_larger = other.pressure_angle.value.abs() > self.pressure_angle.value.abs();
+        // An angle that is not a number is never hidden.
+        let [own, others] = [self, other].map(|extremes| extremes.pressure_angle.value.abs());
+        let is_larger = others > own || others.is_nan();
         Extremes {
             pressure_angle: if is_larger { other.pressure_angle } else { self.pressure_angle },
             convex: smaller(self.convex, other.convex),

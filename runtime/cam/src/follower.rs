@@ -31,7 +31,8 @@ pub struct Translating {
 
 impl Translating {
     /// The smallest cam whose pressure angle stays within `rise` (rad) where the follower rises, and within `fall` where it falls; at rest
-    /// within both. `lifts` are those of one turn. `None` if a cam of any size does, or if a limit does not lie between 0 and 90°.
+    /// within both. `lifts` are those of one turn. `None` if a cam of any size does, if a limit does not lie between 0 and 90°, or if a
+    /// lift is not a number.
     ///
     /// ```text
     ///   √(R² − e²) = max |s′ − e| / tan α − s
@@ -44,14 +45,15 @@ impl Translating {
         if !is_limit(rise) || !is_limit(fall) {
             return None;
         }
-        let root = lifts.into_iter().fold(0.0_f64, |root, lift| {
+        let root = lifts.into_iter().try_fold(0.0_f64, |root, lift| {
             let limit = match lift.rate {
                 rate if rate > 0.0 => rise,
                 rate if rate < 0.0 => fall,
                 _ => rise.min(fall),
             };
-            root.max((lift.rate - offset).abs() / libm::tan(limit) - lift.value)
-        });
+            let least = (lift.rate - offset).abs() / libm::tan(limit) - lift.value;
+            least.is_finite().then(|| root.max(least))
+        })?;
         is_positive(root).then(|| Translating { prime_radius: libm::hypot(root, offset), offset })
     }
 
@@ -111,7 +113,7 @@ pub struct TranslatingFace {
 
 impl TranslatingFace {
     /// The smallest cam whose radius of curvature is nowhere smaller than `radius` (m). `lifts` are those of one turn. `None` if a cam of any size
-    /// is large enough.
+    /// is large enough, if there are no lifts, or if one is not a number.
     ///
     /// ```text
     ///   R = ρ − min (s + s″)
@@ -120,7 +122,8 @@ impl TranslatingFace {
     /// Reference: Norton, Cam Design and Manufacturing Handbook, chapter 7.
     #[must_use]
     pub fn smallest(radius: f64, lifts: impl IntoIterator<Item = Motion<f64>>) -> Option<TranslatingFace> {
-        let least = lifts.into_iter().map(|lift| lift.value + lift.acceleration).fold(f64::INFINITY, f64::min);
+        let sums = lifts.into_iter().map(|lift| lift.value + lift.acceleration);
+        let least = sums.fold(f64::INFINITY, |least, sum| if sum >= least { least } else { sum });
         let base_radius = radius - least;
         (is_positive(base_radius) && base_radius.is_finite()).then_some(TranslatingFace { base_radius })
     }

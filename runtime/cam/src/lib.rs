@@ -61,7 +61,7 @@
 //! ```
 //! use std::sync::LazyLock;
 //!
-//! use reuleaux::{Real, mechanism};
+//! use reuleaux::{Motion, Real, mechanism};
 //! use reuleaux_cam::{CamError, CurvePoint, Harmonics, Profile};
 //!
 //! const ROLLER: f64 = 0.01;
@@ -83,7 +83,10 @@
 //! /// R(ψ) of `cam_roller` with its derivatives.
 //! pub fn outline<T: Real>(psi: T) -> (T, T, T) {
 //!     psi.map(|psi| match &*PITCH {
-//!         Ok(pitch) => (pitch.radius(psi).value - ROLLER, pitch.radius(psi).rate, pitch.radius(psi).acceleration),
+//!         Ok(pitch) => {
+//!             let Motion { value, rate, acceleration } = pitch.radius(psi);
+//!             (value - ROLLER, rate, acceleration)
+//!         }
 //!         Err(_) => (f64::NAN, f64::NAN, f64::NAN),
 //!     })
 //! }

@@ -40,7 +40,7 @@ impl<'a> Profile<'a> {
             let angle = sense * step(point, next);
             turned += angle;
             // False for NaN. The last step may only close the turn.
-            if !(angle > 0.0 && turned < TAU + 1.0) {
+            if !(angle > 0.0 && angle < PI && turned < TAU + 1.0) {
                 return Err(CamError::NotRound { at: point.at });
             }
         }
@@ -82,11 +82,11 @@ fn turn(angle: f64) -> f64 {
     angle - TAU * libm::floor(angle / TAU)
 }
 
-/// The first `K` harmonics of readings at equal angles over one turn, without what is finer: a measured radius, or the lift of a dial.
+/// The first `K` harmonics of readings at equal angles over one turn, without what is finer: a measured radius, or the lift that a dial gauge shows.
 ///
 /// ```text
 ///   R(ψ) = a₀ + Σ aₖ cos kψ + bₖ sin kψ,   k = 1 … K
-///   aₖ = 2/n Σ Rᵢ cos kψᵢ,   bₖ = 2/n Σ Rᵢ sin kψᵢ,   ψᵢ = 2π i / n
+///   a₀ = 1/n Σ Rᵢ,   aₖ = 2/n Σ Rᵢ cos kψᵢ,   bₖ = 2/n Σ Rᵢ sin kψᵢ,   ψᵢ = 2π i / n
 /// ```
 ///
 /// These are the coefficients of least squares. Where readings scatter by σ, R″ scatters by σ √(2/n Σ k⁴): with 360 readings and ten harmonics

@@ -51,7 +51,7 @@ fn the_pressure_angle_of_a_disc_gives_its_size() {
 
 /// Beside the shaft the root of R² − e² is what the formula gives, and the pressure angle of the result reaches its limit and no more.
 #[test]
-fn an_offset_serves_one_way_only() {
+fn the_pressure_angle_reaches_its_limit_and_no_more() {
     let limits @ [rise, fall] = [25_f64.to_radians(), 35_f64.to_radians()];
     let lifts = || angles(3600).map(|angle| (angle, lift(DISC, angle)));
     for offset in [-0.004, 0.0, 0.004] {
@@ -68,6 +68,7 @@ fn an_offset_serves_one_way_only() {
     }
     let refused = |limits| Translating::smallest(0.0, limits, lifts().map(|(_, lift)| lift));
     assert!(refused([0.0, rise]).is_none() && refused([rise, f64::NAN]).is_none());
+    assert!(Translating::smallest(0.0, limits, [lift(DISC, 1.0), Motion::at(f64::NAN)]).is_none(), "a lift that is not a number");
     assert!(Translating::smallest(0.0, limits, [Motion::at(0.0)]).is_none(), "no lift, no size");
 }
 
@@ -78,6 +79,7 @@ fn the_radius_of_curvature_gives_the_size_for_a_flat_face() {
     let face = TranslatingFace::smallest(DISC, lifts()).unwrap();
     assert!((face.base_radius - (DISC - BESIDE)).abs() < 1e-15);
     assert!(TranslatingFace::smallest(0.9 * BESIDE, lifts()).is_none());
+    assert!(TranslatingFace::smallest(DISC, [Motion::at(f64::NAN), Motion::at(0.0)]).is_none());
 }
 
 #[test]
@@ -143,6 +145,7 @@ fn what_does_not_go_round_is_refused() {
     assert_eq!(of(&[0.0, 2.0, 2.0, 4.0]), Err(CamError::NotRound { at: 2.0 }));
     assert_eq!(of(&[0.0, 1.0, 2.0]), Err(CamError::NotRound { at: 2.0 }), "a gap of more than half a turn");
     assert!(of(&[0.0, 2.0, 4.0, TAU + 0.1, TAU + 2.1, TAU + 4.1]).is_err(), "twice round");
+    assert_eq!(of(&[0.0, TAU / 2.0]), Err(CamError::NotRound { at: 0.0 }), "half a turn may be either way");
     assert!(of(&[]).is_err() && of(&[FRAC_PI_4]).is_err());
 }
 

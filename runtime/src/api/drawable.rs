@@ -83,7 +83,7 @@ pub trait Drawable<T, const N: usize>: Sketch<T, N> {
     }
 
     /// As [`view`](Self::view), with diagrams of all outputs, for a mechanism that is declared with `#[outputs]` as well: lengths in mm, angles in
-    /// degrees, and components of the same output and unit in one diagram.
+    /// degrees, and components of the same output and unit in one diagram. Third derivatives are not shown.
     ///
     /// ```
     /// use reuleaux::mechanism;
@@ -137,10 +137,14 @@ fn shown(unit: &str) -> (&str, f64) {
     }
 }
 
-/// The output of a component, `tip` of `tip.x`.
+/// The output of a component, `tip` of `tip.x`; the names of outputs of parts have dots of their own.
 #[cfg(feature = "view")]
 fn output(component: &str) -> &str {
-    component.rsplit_once('.').map_or(component, |(output, _)| output)
+    match component.rsplit_once('.') {
+        Some((output, "x" | "y" | "z" | "angle")) => output,
+        Some((output, entry)) if entry.len() == 3 && entry.starts_with('a') && entry[1..].parse::<u8>().is_ok() => output,
+        _ => component,
+    }
 }
 
 impl<M: Sketch<T, N>, T, const N: usize> Drawable<T, N> for M {}

@@ -24,7 +24,8 @@ use crate::state::State;
 const STAGES: usize = 6;
 
 /// A speed is changed by at least this times ε h lengths. Accelerations whose terms are up to a hundredth of it, in lengths/s², are rounded to ε of
-/// them, which changes h ∂a/∂v by a hundredth at most.
+/// them, which changes h ∂a/∂v by a hundredth at most. In single precision it is √ε h lengths. In no step do lengths change by more than √ε, so that
+/// friction does not turn within it.
 const SLOPED: f64 = 1e7;
 
 /// γ
@@ -175,7 +176,8 @@ impl<T: Scalar, S, const N: usize, const I: usize, const M: usize> MotionAt<'_, 
         // Speeds change by little against what they are and what they become in the step: friction may turn within that.
         let [speed, change] = [motion[1], here].map(|rates| largest(rates, &lengths));
         let fastest = speed.max(change * h.abs());
-        let smallest = least(T::of(SLOPED) * T::EPSILON * h.abs(), T::ROOT_EPSILON / h.abs());
+        let sloped = least(T::of(SLOPED) * T::EPSILON, T::ROOT_EPSILON);
+        let smallest = least(sloped * h.abs(), T::ROOT_EPSILON / h.abs());
         let mut slopes = [[[T::ZERO; I]; I]; 2];
         for (part, slopes) in slopes.iter_mut().enumerate() {
             for column in 0..I {

@@ -175,14 +175,11 @@ macro_rules! register {
                 otherwise: impl FnOnce() -> [Self; K],
             ) -> [Self; K] {
                 let is_less = lhs.0.simd_lt(rhs.0);
-                match (is_less.all(), is_less.any()) {
-                    (true, _) => then(),
-                    (_, false) => otherwise(),
-                    _ => {
-                        let (then, otherwise) = (then(), otherwise());
-                        core::array::from_fn(|k| Self(is_less.bitselect(then[k].0, otherwise[k].0)))
-                    }
-                }
+                // Each is called at one place, so that nested ones do not double the code.
+                let zeros = [Self::splat(0.0); K];
+                let then = if is_less.any() { then() } else { zeros };
+                let otherwise = if is_less.all() { zeros } else { otherwise() };
+                core::array::from_fn(|k| Self(is_less.bitselect(then[k].0, otherwise[k].0)))
             }
             #[inline]
             fn table(self, table: &Table) -> (Self, Self, Self) {

@@ -11,9 +11,9 @@
 /// ```
 ///
 /// The slide moves along `u`, an axis of the body of `P`, of unit length here. `normal` (N) is a value of one's own, such as the weight or the force
-/// of a clamp, and may depend on time, places and speeds. A constant one is not negative; while one that varies is, there is no friction. The loads of joints are not known to forces.
-/// Several pads have one force each. At the speed `transition` the friction is 71 % of Coulomb's, at three times it 95 %, and at seven times it
-/// 99 %.
+/// of a clamp, and may depend on time, places and speeds. A constant one must not be negative. Where a varying one is negative, there is no friction.
+/// The loads of joints are not known to forces. Several pads have one force each. At the speed `transition` the friction is 71 % of Coulomb's, at
+/// three times it 95 %, and at seven times it 99 %.
 ///
 /// It does not stick: a load below coefficient · normal makes the slide creep, at a speed below `transition` where it is less than 71 % of
 /// that. Take as `transition` a speed that counts as standing still. Where it is small against the speeds of the motion, use `Integrator::stiff`,
@@ -23,8 +23,8 @@
 ///
 /// Degenerate case: a transition of zero, which is refused.
 ///
-/// Reference for laws of friction and what smooth ones can do: Marques, Flores, Pimenta Claro and Lankarani (2016), A survey and comparison of several
-/// friction force models for dynamic analysis of multibody mechanical systems.
+/// Reference for laws of friction and what smooth ones can do: Marques, Flores, Pimenta Claro and Lankarani (2016), A survey and comparison of
+/// several friction force models for dynamic analysis of multibody mechanical systems.
 force friction(P: Point, u: Axis, Q: Point, normal: Force, coefficient: Number, transition: Velocity) {
     require P.body == u.body: "the first point and the axis of a friction belong to one body";
     require P.body != Q.body: "the two points of a friction lie on the same body";

@@ -11,7 +11,7 @@
 ///   δ = length − l      l = |r_Q − r_P|
 /// ```
 ///
-/// `force` (N) is that which slowly presses the buffer in by `depth` (m). With the `exponent` 1.5 of Hertz, which it is unless said, force and
+/// A `force` (N) applied slowly presses the buffer in by `depth` (m). With the `exponent` 1.5 of Hertz, which it is unless said, force and
 /// stiffness begin from zero; with 1 the stiffness jumps to force / depth. `damping` (s/m), such as `0.3s / 1m`, makes the force larger on the way
 /// in than on the way out; it begins from zero too, and the stop never pulls. A body alone that comes at the speed v leaves at the speed w for
 /// which v/c − ln(1 + c v)/c² = −w/c − ln(1 − c w)/c², c = damping: about v (1 − 2/3 c v). Without damping the stop gives back all its work,

@@ -92,9 +92,9 @@ impl<'a> AtStart<'a> {
     }
 
     fn repeats(&self, (joint, row): (usize, usize), diag: &mut Diag) -> Option<()> {
-        let Joint { name, residuals, is_drive, .. } = &self.numeric.model.joints[joint];
-        let (of, is_drive) = (residuals.len(), *is_drive);
-        diag.refuse(name, SystemFact::VelocityDepends { joint: name.to_string(), row: row + 1, of, is_drive })
+        let Joint { name, residuals, is_drive, is_redundant, .. } = &self.numeric.model.joints[joint];
+        let (of, is_drive, is_redundant) = (residuals.len(), *is_drive, *is_redundant);
+        diag.refuse(name, SystemFact::VelocityDepends { joint: name.to_string(), row: row + 1, of, is_drive, is_redundant })
     }
 
     fn missing(&self, free: &[usize], diag: &mut Diag) -> Option<()> {

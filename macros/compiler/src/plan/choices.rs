@@ -4,8 +4,10 @@ use super::routine::Cost;
 use super::schedule::cost;
 use crate::expr::{Arena, Expr, Node, Unary};
 use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 
-/// Operations above which a branch is not computed in vain; a comparison costs one.
+/// A choice computes only the branch that holds if both branches of all its values have at least this many operations together. A division or
+/// a root counts half of it, a sine or a call all of it.
 const WORTH: usize = 20;
 
 /// Values that one comparison chooses, and nodes that only its branches need.
@@ -54,7 +56,7 @@ impl Choices {
             of.retain(|_, group| all[*group].members.is_empty() || all[*group].is_worth_it(arena));
             if of.len() == before {
                 let inside = all.iter().flat_map(|choice| &choice.inside).flatten().copied().collect();
-                of.retain(|expr, group| all[*group].members.contains(expr));
+                of.retain(|expr, group| all[*group].members.binary_search(expr).is_ok());
                 return Choices { all, of, inside };
             }
         }
@@ -94,6 +96,8 @@ fn groups(arena: &Arena, needed: &[Expr], since: &dyn Fn(Expr) -> usize) -> BTre
     let mut of: BTreeMap<Expr, usize> = BTreeMap::new();
     let mut latest: BTreeMap<(Expr, Expr, usize), usize> = BTreeMap::new();
     let mut below: Vec<BTreeSet<usize>> = Vec::new();
+    // By node: the groups on which it depends without another one between.
+    let mut nearest: BTreeMap<Expr, Rc<BTreeSet<usize>>> = BTreeMap::new();
     if !needed.iter().any(|expr| matches!(arena.node(*expr), Node::Select { .. })) {
         return of;
     }
@@ -102,20 +106,34 @@ fn groups(arena: &Arena, needed: &[Expr], since: &dyn Fn(Expr) -> usize) -> BTre
         let node = arena.node(*expr);
         let moment = node.children().filter_map(|child| known.get(&child).copied()).max().unwrap_or(0).max(since(*expr));
         known.insert(*expr, moment);
-        let Node::Select { lhs, rhs, .. } = *node else { continue };
-        let children: Vec<Expr> = node.children().collect();
-        let reached = arena.reachable_down_to(&children, |child| arena.value(child).is_some(), |child| of.contains_key(&child));
-        let direct: BTreeSet<usize> = reached.iter().filter_map(|child| of.get(child).copied()).collect();
+        let direct = together_nearest(node.children().filter_map(|child| nearest.get(&child).cloned()));
+        let Node::Select { lhs, rhs, .. } = *node else {
+            nearest.extend(direct.map(|direct| (*expr, direct)));
+            continue;
+        };
+        let direct = direct.unwrap_or_default();
         let group = match latest.get(&(lhs, rhs, moment)) {
             Some(group) if !all_below(&below, &direct).contains(group) => *group,
             _ => below.len(),
         };
         below.resize_with(below.len().max(group + 1), BTreeSet::new);
-        below[group].extend(direct);
+        below[group].extend(direct.iter());
+        nearest.insert(*expr, Rc::new(BTreeSet::from([group])));
         latest.insert((lhs, rhs, moment), group);
         of.insert(*expr, group);
     }
     of
+}
+
+/// All groups of some sets, in one of these where that has them all.
+fn together_nearest(mut sets: impl Iterator<Item = Rc<BTreeSet<usize>>>) -> Option<Rc<BTreeSet<usize>>> {
+    let mut all = sets.next()?;
+    for set in sets {
+        if !set.is_subset(&all) {
+            Rc::make_mut(&mut all).extend(set.iter());
+        }
+    }
+    Some(all)
 }
 
 /// Some groups and all on which they depend.

@@ -129,17 +129,20 @@ pub(super) fn lines(arena: &Arena, stages: &[Stage], n: usize, turned: &BTreeSet
     StraightLine { parts, names: work.names, unknowns: (0..n).map(name).collect(), turned, fixed, fixed_names, cost }
 }
 
-/// Number of the moment from which on a node is known if it is a leaf: after a stage its unknowns, then their rates and so on.
+/// Number of the moment from which on a node is known if it is a leaf: parameters come first, then time and what is given from outside, after a
+/// stage its unknowns, then their rates and so on.
 fn since(arena: &Arena, stages: &[Stage], expr: Expr) -> usize {
     let (derivative, unknown) = match arena.node(expr) {
+        Node::Leaf(Leaf::Parameter(_)) => return 0,
         Node::Leaf(Leaf::Coordinate(unknown)) => (1, *unknown as usize),
         Node::Leaf(Leaf::Speed(unknown)) => (2, *unknown as usize),
         Node::Leaf(Leaf::Acceleration(unknown)) => (3, *unknown as usize),
         Node::Leaf(Leaf::Jerk(unknown)) => (4, *unknown as usize),
+        Node::Leaf(_) => return 1,
         _ => return 0,
     };
     let stage = stages.iter().position(|stage| stage.unknowns().contains(&unknown));
-    stage.map_or(0, |number| 4 * number + if matches!(stages[number], Stage::Explicit { .. }) { 1 } else { derivative })
+    stage.map_or(1, |number| 4 * number + if matches!(stages[number], Stage::Explicit { .. }) { 2 } else { 1 + derivative })
 }
 
 /// Maximal subexpressions of some roots that depend on parameters and on nothing else.

@@ -72,7 +72,8 @@ fn take(arena: &Arena, routine: &Routine, step: &Step, known: &mut BTreeSet<Expr
         }
         Step::Call { argument, function, .. } => {
             is_computed(arena, routine, known, *argument);
-            let is_of = |expr: &&Expr| matches!(arena.node(**expr), Node::Call { function: of, argument: at, .. } if of == function && at == argument);
+            let of = (*function, *argument);
+            let is_of = |expr: &&Expr| matches!(*arena.node(**expr), Node::Call { function, argument, .. } if (function, argument) == of);
             known.extend(routine.names.keys().filter(is_of).copied());
         }
         Step::Choice { lhs, rhs, members, branches } => {

@@ -163,7 +163,7 @@ fn coefficients(
     ];
     let largest = numbers.into_iter().map(f64::abs).fold(one[1].to_f64().abs(), f64::max);
     let is_off = f64::EPSILON * largest > MISSES * size;
-    if is_off || !largest.is_finite() {
+    if is_off || numbers.iter().any(|number| !number.is_finite()) {
         return work.reject(range, ValueFact::SplineSwings);
     }
     let mut exact = [one[1]; 6];

@@ -54,7 +54,7 @@ impl Search<'_, '_> {
         let Some((joint, q)) = found else { return };
         let pose = Pose { time: 0.0, q };
         let is_drive = |joint: usize| model.joints[joint].is_drive;
-        // Links that stay apart are least apart in line, where they seem to have a freedom.
+        // Links that are too short come closest when they lie in line, where they seem to have a freedom.
         if !model.joints[joint].is_redundant && (self.leaves_freedom(start) || self.drives_contend(start)) {
             return;
         }
@@ -229,11 +229,11 @@ impl Numeric<'_> {
     }
 
     /// Distance by which one body must move until an equation holds, independent of any factor or power in the equation; in m, or in rad
-    /// for an equation of angles. Where nothing but turns changes a length, its residual; of a product of unit vectors, which is a sine, the
+    /// for an equation of angles. For a length that only turns change, the residual itself. For a product of unit vectors, which is a sine, its
     /// angle. `None` if the iteration diverges or no body can move.
     fn way(&self, equation: &Equation, known: Values, mut q: Vec<f64>) -> Option<f64> {
         if equation.jacobian.is_empty() || self.is_of_turns(equation) && [Dim::NUMBER, Dim::LENGTH].contains(&equation.dim) {
-            // Explicit unknowns have made a constant of it, or there is no place to move: joints lead from body to body.
+            // Explicit unknowns have made a constant of it, or only turns change it, so that no body can be displaced.
             let values = evaluate(&self.system.arena, &equation.phi().into_iter().collect::<Vec<Expr>>(), &known);
             let off = values.first()?.abs();
             return Some(if equation.dim == Dim::NUMBER { off.min(1.0).asin() } else { off });

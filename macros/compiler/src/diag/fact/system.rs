@@ -20,6 +20,7 @@ pub enum SystemFact {
         row: usize,
         of: usize,
         is_drive: bool,
+        is_redundant: bool,
     },
     FreedomDepends {
         freedom: String,

@@ -29,11 +29,20 @@ impl Display for SystemFact {
                     "\nhelp: write `distance(…)` of the two points that it joins instead of the body, or make one of the joints `universal`"
                 )
             }
-            SystemFact::VelocityDepends { joint, row, of, is_drive } => {
+            SystemFact::VelocityDepends { joint, row, of, is_drive, is_redundant } => {
                 let which = if *of == 1 { format!("`{joint}`") } else { format!("equation {row} of {of} of `{joint}`") };
                 let kind = if *is_drive { "drive" } else { "joint" };
                 write!(f, "{which} relates velocities that other joints and drives determine already where the mechanism is assembled")?;
-                write!(f, "\nhelp: take this {kind} away, or another one that determines the same")
+                if *is_redundant {
+                    write!(f, "\nnote: an equation between velocities cannot be `redundant`")?;
+                }
+                if *of == 1 {
+                    return write!(f, "\nhelp: take this {kind} away, or another one that determines the same");
+                }
+                write!(
+                    f,
+                    "\nhelp: if its other equations are needed, write them alone: `{kind} {joint} = {{ … == 0; }}`; if not, take it away"
+                )
             }
             SystemFact::FreedomDepends { freedom, of } => {
                 let which =

@@ -1,0 +1,93 @@
+//! A long `if` inside of a block that is iterated, in one place and in shared code, with all its derivatives.
+
+use reuleaux::mechanism;
+
+/// Where the law changes, in rad, and how the slide goes with the arm.
+fn law(angle: f64) -> f64 {
+    let wave = |rate: f64| 0.3 + 0.03 * (rate * (angle - 1.0)).sin() * (angle - 1.0).exp();
+    if angle < 1.0 { wave(2.0) } else { wave(1.0) }
+}
+
+mechanism! {
+    /// An arm and a slide, whose places depend on each other by a law in two pieces; a link of changing length moves both.
+    mechanism Alone {
+        body arm { point A = (0.1m, 0m);  start angle = 50deg; }
+        body slide { point P = (0m, 0.1m);  start x = 0.28m; }
+        joint axle = revolute(ground.position, arm.position);
+        joint guide = translational((1, 0), (0m, 0.1m), slide.P);
+        let since = arm.angle / 1rad - 1;
+        joint law = {
+            slide.x == 0.3m + 30mm * (if arm.angle < 1rad { sin(2 * since) * exp(since) } else { sin(since) * exp(since) });
+        }
+        drive link = drive_distance(arm.A, slide.P, 0.235m + 20mm * sin(1rad_s * t));
+        output x = slide.x with jerk;
+    }
+}
+
+mechanism! {
+    /// The same sixteen times, so that code is shared.
+    mechanism Many {
+        for i in 0..16 {
+            body arm[i] { point A = (0.1m, 0m);  start angle = 50deg; }
+            body slide[i] { point P = (0m, 0.1m);  start x = 0.28m; }
+            joint axle[i] = revolute(ground.position, arm[i].position);
+            joint guide[i] = translational((1, 0), (0m, 0.1m), slide[i].P);
+            joint law[i] = {
+                slide[i].x == 0.3m + 30mm * (if arm[i].angle < 1rad {
+                    sin(2 * (arm[i].angle / 1rad - 1)) * exp(arm[i].angle / 1rad - 1)
+                } else {
+                    sin(arm[i].angle / 1rad - 1) * exp(arm[i].angle / 1rad - 1)
+                });
+            }
+            drive link[i] = drive_distance(arm[i].A, slide[i].P, 0.235m + 20mm * sin(1rad_s * (t + i * 0.3s)));
+        }
+    }
+}
+
+#[test]
+fn both_pieces_are_followed_with_all_derivatives() {
+    let alone = Alone::default();
+    let mut state = alone.solve(0.0).expect("a state");
+    let mut angles = [f64::INFINITY, f64::NEG_INFINITY];
+    for k in 0..=60 {
+        let t = f64::from(k) / 10.0;
+        alone.advance(&mut state, t).expect("a state");
+        let (arm, slide) = (state.arm(), state.slide());
+        let (sine, cosine) = arm.angle.sin_cos();
+        let way = [slide.position.x - 0.1 * cosine, 0.1 - 0.1 * sine];
+        assert!((slide.position.x - law(arm.angle)).abs() < 1e-15);
+        assert!((way[0].hypot(way[1]) - 0.235 - 0.02 * t.sin()).abs() < 1e-15);
+        angles = [angles[0].min(arm.angle), angles[1].max(arm.angle)];
+        // The pieces meet at 1 rad, with a kink.
+        let h = 1e-4;
+        let [before, after] = [t - h, t + h].map(|t| alone.solve_near(t, &state.q).expect("a state"));
+        if [&before, &after].iter().any(|other| (other.arm().angle < 1.0) != (arm.angle < 1.0)) {
+            continue;
+        }
+        let [one, two] = [&before, &after].map(|state| alone.x(state));
+        let x = alone.x(&state);
+        assert!((x.rate - (two.value - one.value) / (2.0 * h)).abs() < 1e-7);
+        assert!((x.acceleration - (two.rate - one.rate) / (2.0 * h)).abs() < 1e-6);
+        assert!((x.jerk - (two.acceleration - one.acceleration) / (2.0 * h)).abs() < 1e-5);
+    }
+    assert!(angles[0] < 0.95 && angles[1] > 1.05, "{angles:?}");
+}
+
+#[test]
+fn shared_code_gives_the_same() {
+    let (many, alone) = (Many::default(), Alone::default());
+    let mut state = many.solve(0.0).expect("a state");
+    let mut each: Vec<_> = (0..16).map(|i| alone.solve(0.3 * f64::from(i)).expect("a state")).collect();
+    for k in 1..=60 {
+        let t = f64::from(k) / 10.0;
+        many.advance(&mut state, t).expect("a state");
+        for (i, other) in each.iter_mut().enumerate() {
+            alone.advance(other, t + 0.3 * i as f64).expect("a state");
+            let (arm, slide) = (state.arm()[i], state.slide()[i]);
+            assert!((slide.position.x - law(arm.angle)).abs() < 1e-15);
+            assert!((arm.angle - other.arm().angle).abs() < 1e-13);
+            assert!((slide.velocity.x - other.slide().velocity.x).abs() < 1e-13);
+            assert!((slide.acceleration.x - other.slide().acceleration.x).abs() < 1e-12);
+        }
+    }
+}
