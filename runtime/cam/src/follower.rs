@@ -123,7 +123,7 @@ impl TranslatingFace {
     #[must_use]
     pub fn smallest(radius: f64, lifts: impl IntoIterator<Item = Motion<f64>>) -> Option<TranslatingFace> {
         let sums = lifts.into_iter().map(|lift| lift.value + lift.acceleration);
-        let least = sums.fold(f64::INFINITY, |least, sum| if sum >= least { least } else { sum });
+        let least = sums.fold(f64::INFINITY, |least, sum| if sum >= least || least.is_nan() { least } else { sum });
         let base_radius = radius - least;
         (is_positive(base_radius) && base_radius.is_finite()).then_some(TranslatingFace { base_radius })
     }
