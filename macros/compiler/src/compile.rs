@@ -8,10 +8,12 @@ use crate::emit;
 use crate::expansion;
 use crate::export;
 use crate::hints;
+use crate::import;
 use crate::mobility;
 use crate::model::{Facing, Model};
 use crate::picture::{self, Picture};
 use crate::plan::{self, Plan};
+use crate::quantity::Ambient;
 use crate::redundancy;
 use crate::resolve;
 use crate::structure::{self, Structure};
@@ -19,7 +21,7 @@ use crate::stub;
 use crate::syntax::{self, ast};
 use crate::system::{self, System};
 use crate::travel::{self, Motion};
-use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 
 /// The result of every room from tokens to tokens.
@@ -41,9 +43,6 @@ pub struct Compiled {
     pub picture: Picture,
 }
 
-/// Definitions, each with its name in the mechanism.
-type Known = Vec<(String, ast::Definition)>;
-
 /// Compiles a `mechanism!` declaration to Rust.
 #[must_use]
 pub fn mechanism(tokens: TokenStream) -> TokenStream {
@@ -61,7 +60,7 @@ pub fn mechanism(tokens: TokenStream) -> TokenStream {
 pub fn compile(tokens: TokenStream) -> Result<Compiled, Vec<Refusal>> {
     let mut diag = Diag::default();
     let tree = syntax::parse(tokens, &mut diag);
-    let compiled = tree.and_then(|tree| rooms(&tree, Known::new(), &mut diag));
+    let compiled = tree.and_then(|tree| rooms(&tree, Vec::new(), &mut diag));
     compiled.ok_or_else(|| diag.refusals().to_vec())
 }
 
@@ -125,8 +124,9 @@ fn continued(tree: &ast::Mechanism, tokens: TokenStream, known: TokenStream, mut
     {
         return export::resume(missing, &known, &tokens);
     }
-    let definitions = definitions(known, &mut diag);
-    let compiled = rooms(tree, definitions, &mut diag);
+    let imported = import::imported(known, tree.ambient, &mut diag);
+    let whole = &syntax::with_components(tree, imported.components);
+    let compiled = rooms(whole, imported.definitions, &mut diag);
     let doubts = compiled.as_ref().map_or(&[][..], |compiled| &compiled.model.doubts);
     let unused = diag::of_unused(&hints::unused(tree, tokens, doubts));
     match compiled {
@@ -136,7 +136,7 @@ fn continued(tree: &ast::Mechanism, tokens: TokenStream, known: TokenStream, mut
             quote!(#tokens #unused #unwritten)
         }
         None => {
-            let (errors, stub) = (diag.to_tokens(), stub::stub(tree));
+            let (errors, stub) = (diag.to_tokens(), stub::stub(whole));
             quote!(#errors #stub)
         }
     }
@@ -144,13 +144,13 @@ fn continued(tree: &ast::Mechanism, tokens: TokenStream, known: TokenStream, mut
 
 /// First constraint of a `use` item whose definition has not been handed over.
 fn missing<'a>(tree: &'a ast::Mechanism, known: &TokenStream) -> Option<&'a ast::Use> {
-    let names = names(known);
+    let names = import::names(known);
     let uses = tree.items.iter().filter_map(|item| if let ast::Item::Use(uses) = item { Some(uses) } else { None });
     uses.flatten().find(|used| !names.contains(&used.name.to_string()))
 }
 
 /// Runs all rooms after parsing. A room runs only if the one before it reported no error.
-fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<Compiled> {
+fn rooms(tree: &ast::Mechanism, definitions: import::Definitions, diag: &mut Diag) -> Option<Compiled> {
     if !diag.is_clean() {
         return None;
     }
@@ -214,37 +214,23 @@ fn check(definitions: &ast::Definitions, diag: &mut Diag) {
         return;
     }
     resolve::check_names(definitions, diag);
-    let all: Vec<ast::Definition> = definitions.exports.iter().flat_map(|export| export.definitions.clone()).collect();
+    let (mut all, mut components) = (Vec::new(), Vec::new());
+    for defined in definitions.exports.iter().flat_map(|export| export.definitions.clone()) {
+        match defined {
+            ast::Defined::Constraint(definition) => all.push(definition),
+            ast::Defined::Component(component) => components.push(component),
+        }
+    }
     for definition in &all {
         resolve::check_definition(definition, &all, diag);
     }
-}
-
-/// `name { definitions } …`
-fn entries(known: TokenStream) -> Vec<(String, TokenStream)> {
-    let trees: Vec<TokenTree> = known.into_iter().collect();
-    let entry = |pair: &[TokenTree]| match pair {
-        [TokenTree::Ident(name), TokenTree::Group(group)] if group.delimiter() == Delimiter::Brace => {
-            Some((name.to_string(), group.stream()))
-        }
-        _ => None,
-    };
-    trees.chunks(2).filter_map(entry).collect()
-}
-
-fn names(known: &TokenStream) -> Vec<String> {
-    entries(known.clone()).into_iter().map(|(name, _)| name).collect()
-}
-
-/// A single definition takes the name in its `use` item; the definitions of a bundle keep their own names.
-fn definitions(known: TokenStream, diag: &mut Diag) -> Known {
-    let mut definitions = Known::new();
-    for (name, tokens) in entries(known) {
-        let mut parsed = syntax::parse_exported(tokens, diag).unwrap_or_default();
-        match parsed.len() {
-            1 => definitions.extend(parsed.pop().map(|definition| (name, definition))),
-            _ => definitions.extend(parsed.into_iter().map(|definition| (definition.name.to_string(), definition))),
+    let named: import::Definitions = all.into_iter().map(|definition| (definition.name.to_string(), definition)).collect();
+    for ambient in [Ambient::Plane, Ambient::Space] {
+        let is_of = |component: &&ast::ComponentItem| component.head.ambient.unwrap_or_default() == ambient;
+        let components: Vec<ast::ComponentItem> = components.iter().filter(is_of).cloned().collect();
+        if let (Some(first), true) = (components.first(), diag.is_clean()) {
+            let tree = syntax::of_components(first.head.name.clone(), ambient, components);
+            resolve::resolve(&tree, named.clone(), diag);
         }
     }
-    definitions
 }

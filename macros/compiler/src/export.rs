@@ -10,9 +10,11 @@
 //! ```
 
 use crate::quantity::Ambient;
+use crate::syntax;
 use crate::syntax::ast::{Definitions, Export, Use};
 use proc_macro2::{Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote, quote_spanned};
+use std::collections::BTreeSet;
 
 /// The macros that stand for definitions; `is_broken` ones hand over nothing, so that a mistake is
 /// reported once.
@@ -24,15 +26,56 @@ pub(crate) fn export(definitions: &Definitions, is_broken: bool) -> TokenStream 
         .iter()
         .enumerate()
         .filter(|(position, export)| is_first(*position, export))
-        .map(|(_, export)| exported(export, is_broken))
+        .map(|(_, export)| exported(export, &Beside { export, exports, is_broken }))
         .collect()
 }
 
-fn exported(export: &Export, is_broken: bool) -> TokenStream {
+/// The definitions that a component can call: those of its own bundle first, then all others of the same `constraint!`.
+struct Beside<'a> {
+    export: &'a Export,
+    exports: &'a [Export],
+    is_broken: bool,
+}
+
+impl Beside<'_> {
+    /// The tokens handed over for definitions called `own`: those of theirs, and in braces those of others that their components call.
+    fn handed(&self, own: &[&Ident], tokens: &TokenStream) -> TokenStream {
+        if self.is_broken {
+            return TokenStream::new();
+        }
+        let (mut fellows, mut called) = (TokenStream::new(), called_by_components(tokens));
+        let mut pending: Vec<(&Ident, &TokenStream)> = self.all().filter(|(name, _)| !own.contains(name)).collect();
+        // A fellow may call others.
+        while let Some(at) = pending.iter().position(|(name, _)| called.contains(&plain(name))) {
+            let (name, definition) = pending.remove(at);
+            pending.retain(|(other, _)| *other != name);
+            called.extend(called_by_components(definition));
+            fellows.extend(definition.clone());
+        }
+        let fellows = (!fellows.is_empty()).then(|| at_home(fellows)).map(|fellows| quote!({ #fellows }));
+        let own = at_home(tokens.clone());
+        quote!(#own #fellows)
+    }
+
+    fn all(&self) -> impl Iterator<Item = (&Ident, &TokenStream)> {
+        let own = self.export.members.iter();
+        let single = self.exports.iter().filter(|export| !export.is_bundle).map(|export| (&export.name, &export.tokens));
+        let others = self.exports.iter().flat_map(|export| &export.members);
+        own.map(|(name, tokens)| (name, tokens)).chain(single).chain(others.map(|(name, tokens)| (name, tokens)))
+    }
+}
+
+/// Words that are called, if there is a component among the definitions.
+fn called_by_components(tokens: &TokenStream) -> BTreeSet<String> {
+    let has_component = tokens.clone().into_iter().any(|token| matches!(token, TokenTree::Ident(word) if word == "component"));
+    if has_component { syntax::called(tokens.clone()) } else { BTreeSet::new() }
+}
+
+fn exported(export: &Export, beside: &Beside) -> TokenStream {
     let Export { docs, visibility, name, tokens, .. } = export;
     let docs = &docs.tokens;
-    let (hidden, macro_) = handing_over(export, name, tokens, is_broken);
-    let members = (!export.members.is_empty()).then(|| members(export, is_broken));
+    let (hidden, macro_) = handing_over(export, name, beside.handed(&export.own_names(), tokens));
+    let members = (!export.members.is_empty()).then(|| members(export, beside));
     quote! {
         #macro_
         #docs
@@ -44,9 +87,8 @@ fn exported(export: &Export, is_broken: bool) -> TokenStream {
 }
 
 /// The hidden macro that hands tokens over, and its name.
-fn handing_over(export: &Export, name: &Ident, tokens: &TokenStream, is_broken: bool) -> (Ident, TokenStream) {
+fn handing_over(export: &Export, name: &Ident, handed: TokenStream) -> (Ident, TokenStream) {
     let hidden = format_ident!("__reuleaux_{}_{}", plain(name), fingerprint(export), span = Span::call_site());
-    let handed = if is_broken { TokenStream::new() } else { at_home(tokens.clone()) };
     let exported = is_public(export).then(|| quote!(#[macro_export]));
     let macro_ = quote! {
         #[doc(hidden)]
@@ -62,17 +104,17 @@ fn is_public(export: &Export) -> bool {
     export.visibility.to_string() == "pub"
 }
 
-/// The constraints of a bundle one by one, in a module of the bundle's name.
-fn members(export: &Export, is_broken: bool) -> TokenStream {
+/// The definitions of a bundle one by one, in a module of the bundle's name.
+fn members(export: &Export, beside: &Beside) -> TokenStream {
     let Export { visibility, name, .. } = export;
-    let handed = export.members.iter().map(|(member, tokens)| (member, handing_over(export, member, tokens, is_broken)));
+    let handed = export.members.iter().map(|(member, tokens)| (member, handing_over(export, member, beside.handed(&[member], tokens))));
     let (macros, uses): (Vec<TokenStream>, Vec<TokenStream>) = handed
         .map(|(member, (hidden, macro_))| {
             let visibility = if is_public(export) { quote!(pub) } else { quote!(pub(crate)) };
             (macro_, quote!(#visibility use #hidden as #member;))
         })
         .unzip();
-    let page = format!("The constraints of the bundle `{name}`, to be used one by one.");
+    let page = format!("The definitions of the bundle `{name}`, to be used one by one.");
     quote! {
         #(#macros)*
         #[doc = #page]

@@ -22,6 +22,7 @@ mod export;
 pub mod expr;
 pub mod geometry;
 mod hints;
+mod import;
 pub mod library;
 mod linear;
 mod mobility;

@@ -1,5 +1,6 @@
 //! Components, parts, loops and arrays against the same mechanism written out.
 
+mod imported;
 mod many;
 mod walker;
 

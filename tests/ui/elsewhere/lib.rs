@@ -1,4 +1,4 @@
-//! Constraints of another crate.
+//! Constraints and components of another crate.
 
 reuleaux::constraint! {
     /// `P` stays at the height `h` above ground.
@@ -21,10 +21,55 @@ reuleaux::constraint! {
         at Q: -pull;
     }
 
+    /// Two points are one.
+    pub constraint pinned(P: Point, Q: Point) { P == Q; }
+
+    /// A link that turns evenly about `P`.
+    #[derive(PartialOrd)]
+    pub component Link(P: Point, start: Angle, speed: AngularVelocity = 1rad_s) {
+        /// From its pin to its end.
+        param length: Length = 100mm;
+        let end = (length, 0mm);
+        body bar { point end = end; }
+        joint pin = pinned(P, bar.position);
+        drive turn = drive_angle(bar, start + speed * t);
+        output end = bar.end;
+    }
+
+    /// Three links, each on the end of the one before.
+    pub component Chain(P: Point) {
+        part link[0] = Link(P, 0);
+        for i in 1..3 { part link[i] = Link(link[i - 1].bar.end, 10deg * i, speed: 1rad_s * (i + 1)); }
+        body last {}
+        joint pin = pinned(link[2].bar.end, last.position);
+        drive wave = drive_angle(last, crate::law(1rad_s * t));
+    }
+
+    /// A pendulum of one mass.
+    pub component Pendulum(P: Point) {
+        param length: Length = 500mm;
+        body bob { point A = (0mm, length);  mass = 2kg; }
+        joint pin = revolute(P, bob.A);
+        freedom swing = bob.angle from 30deg;
+    }
+
+    /// A crank on any axis.
+    pub component Crank(P: Point, u: Axis) in space {
+        body bar { point A = (0mm, 0mm, 0mm);  point end = (100mm, 0mm, 50mm);  axis u = (0, 0, 1); }
+        joint pin = revolute(P, u, bar.A, bar.u);
+        drive turn = drive_rotation(pin, 1rad_s * t);
+    }
+
     /// Several at once.
     pub bundle columns {
         constraint left_of(P: Point, Q: Point, d: Length) { Q.x - P.x == d; }
         constraint below(P: Point, Q: Point, d: Length) { Q.y - P.y == d; }
+        component Pile(P: Point, d: Length) {
+            body top {}
+            joint upright = absolute_angle(top, 0);
+            joint height = below(P, top.position, d);
+            joint side = left_of(P, top.position, 0);
+        }
     }
 }
 

@@ -150,6 +150,7 @@ pub enum NameFact {
     NotAConstraint { name: String },
     UnknownKind { name: String, near: Option<String> },
     Duplicate { name: String, first: &'static str },
+    CalledByComponent { name: String, component: String, can_be_renamed: bool },
     DuplicateMark { name: String, body: String },
     DuplicateStart { name: String, body: String },
     DuplicateGround,

@@ -220,7 +220,7 @@ pub(crate) fn find(name: &str, ambient: Ambient) -> Option<Rc<Definition>> {
     let (_, text) = of(ambient).chain(forces_of(ambient)).find(|(known, _)| *known == name)?;
     let tokens = TokenStream::from_str(text).ok()?;
     // The tests of this crate find a page that does not parse.
-    syntax::parse_exported(tokens, &mut Diag::default())?.into_iter().next().map(Rc::new)
+    syntax::parse_exported(tokens, &mut Diag::default())?.into_iter().next().map(|handed| Rc::new(handed.defined.head().clone()))
 }
 
 /// A joint, drive, force or freedom of this kind, as in "a `revolute` joint".

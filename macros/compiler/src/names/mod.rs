@@ -191,6 +191,8 @@ pub(crate) struct Space {
     pub(crate) prefix: String,
     pub(crate) groups: BTreeMap<String, GroupId>,
     pub(crate) order: Vec<GroupId>,
+    /// True if its items see no name of the mechanism.
+    is_closed: bool,
 }
 
 /// A frame with its coordinates, points and axes.
@@ -202,6 +204,16 @@ pub(crate) struct FrameScope {
     pub(crate) coordinates: Vec<(Role, Expr)>,
     /// Namespace of its points and axes.
     pub(crate) space: SpaceId,
+}
+
+/// Name of the body of an argument of which only the kind is known.
+pub(crate) const UNKNOWN_BODY: &str = "a body";
+
+impl FrameScope {
+    /// True for the body of an argument of which only the kind is known: it may be any.
+    pub(crate) fn is_unknown(&self) -> bool {
+        self.name == UNKNOWN_BODY
+    }
 }
 
 /// All names of a mechanism.
@@ -264,9 +276,9 @@ impl Names {
         self.is_abstract
     }
 
-    /// Adds a namespace whose paths begin with `prefix`.
-    pub(crate) fn new_space(&mut self, prefix: String) -> SpaceId {
-        self.spaces.push(Space { prefix, ..Space::default() });
+    /// Adds a namespace whose paths begin with `prefix`. `is_closed`: given, true if its items see no name of the mechanism.
+    pub(crate) fn new_space(&mut self, prefix: String, is_closed: bool) -> SpaceId {
+        self.spaces.push(Space { prefix, is_closed, ..Space::default() });
         SpaceId(self.spaces.len() - 1)
     }
 
@@ -277,7 +289,8 @@ impl Names {
 
     /// Looks a name up for an item of a namespace: there first, then in the mechanism.
     pub(crate) fn visible(&self, space: SpaceId, word: &str) -> Option<GroupId> {
-        self.find(space, word).or_else(|| self.find(SpaceId::MECHANISM, word))
+        let outer = (!self.spaces[space.0].is_closed).then_some(SpaceId::MECHANISM);
+        self.find(space, word).or_else(|| self.find(outer?, word))
     }
 
     pub(crate) fn group(&self, group: GroupId) -> &NamedItems {
@@ -286,7 +299,8 @@ impl Names {
 
     /// The names visible in a namespace, in the order declared.
     pub(crate) fn all(&self, space: SpaceId) -> impl Iterator<Item = &str> {
-        let outer = (space != SpaceId::MECHANISM).then(|| self.words(SpaceId::MECHANISM));
+        let is_open = space != SpaceId::MECHANISM && !self.spaces[space.0].is_closed;
+        let outer = is_open.then(|| self.words(SpaceId::MECHANISM));
         self.words(space).chain(outer.into_iter().flatten())
     }
 

@@ -9,7 +9,7 @@ use crate::diag::nearest;
 use crate::diag::{ArityFact, Diag, EquationFact, Known, NameFact, ValueFact};
 use crate::expr::{Expr, Leaf};
 use crate::library;
-use crate::names::{Fixed, FunctionValue, Names, RESERVED, Scalar, Scope, Value, wanted};
+use crate::names::{Fixed, FunctionValue, Names, RESERVED, Scalar, Scope, UNKNOWN_BODY, Value, wanted};
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{Definition, Definitions, Dimension, FormalKind};
 use proc_macro2::Ident;
@@ -29,7 +29,7 @@ pub(crate) fn check_names(definitions: &Definitions, diag: &mut Diag) {
     let unique = |names: Vec<&Ident>, diag: &mut Diag| {
         for (position, name) in names.iter().enumerate() {
             if names[..position].contains(name) {
-                diag.refuse::<()>(*name, NameFact::Duplicate { name: name.to_string(), first: "another constraint" });
+                diag.refuse::<()>(*name, NameFact::Duplicate { name: name.to_string(), first: "another definition" });
             }
         }
     };
@@ -38,7 +38,7 @@ pub(crate) fn check_names(definitions: &Definitions, diag: &mut Diag) {
         if bundle.definitions.is_empty() {
             diag.refuse::<()>(&bundle.name, EquationFact::EmptyBundle { name: bundle.name.to_string() });
         }
-        unique(bundle.definitions.iter().map(|definition| &definition.name).collect(), diag);
+        unique(bundle.own_names(), diag);
     }
 }
 
@@ -128,7 +128,7 @@ impl Elaborator<'_> {
         Some(match kind {
             FormalKind::Point => Value::Point(self.unknown_fixed(InferredDim::Known(Dim::LENGTH))),
             FormalKind::Axis => Value::Axis(self.unknown_fixed(InferredDim::Any)),
-            FormalKind::Body => Value::Body(self.new_frame("a body")),
+            FormalKind::Body => Value::Body(self.new_frame(UNKNOWN_BODY)),
             FormalKind::Quantity => Value::Scalar(self.unknown_scalar(InferredDim::Any)),
             FormalKind::Scalar(written) => {
                 let dim = self.kind_dimension(written)?;
@@ -185,7 +185,7 @@ impl Elaborator<'_> {
     }
 
     fn unknown_fixed(&mut self, measure: InferredDim) -> Fixed {
-        let frame = self.new_frame("a body");
+        let frame = self.new_frame(UNKNOWN_BODY);
         let parts: Vec<Expr> = (0..self.names.ambient.components()).map(|_| self.unknown_scalar(measure).expr).collect();
         let local = Components::new(&parts).unwrap_or(Components::plane(parts[0], parts[0]));
         Fixed { frame, local, measure, zero: None }

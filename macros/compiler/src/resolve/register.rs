@@ -125,18 +125,9 @@ impl Elaborator<'_> {
             }
             Item::Function(function) => {
                 let entity = Entity::Function(function.clone());
-                if self
-                    .declare(
-                        Written { key: Key::Name(function.id()), name: &function.name, indices: &[] },
-                        entity,
-                        Progress::Untouched,
-                        Sort::Function,
-                        context,
-                    )
-                    .is_some()
-                {
-                    register.functions.push(function.clone());
-                }
+                let written = Written { key: Key::Name(function.id()), name: &function.name, indices: &[] };
+                let id = self.declare(written, entity, Progress::Untouched, Sort::Function, context);
+                register.functions.extend(id.map(|_| function.clone()));
             }
             _ => {}
         }
@@ -317,7 +308,7 @@ impl Elaborator<'_> {
         });
         // Even if its arguments are wrong, the part is registered for the names in it.
         let slots = slots.unwrap_or_else(|| vec![None; component.head.parameters.len()]);
-        let space = self.names.new_space(format!("{path}."));
+        let space = self.names.new_space(format!("{path}."), component.is_imported);
         self.names.declared[id.0].progress = Progress::Done(Value::Part(space));
         let inner = Context { space, bound: Rc::default() };
         let made = Rc::new(PartArguments { component: component.clone(), part: part.clone(), slots, outside: context.clone() });

@@ -19,10 +19,11 @@ impl Elaborator<'_> {
         for component in ast::outermost_first(self.names.components.values().cloned().collect()) {
             if !seen.contains(&component.id()) && !self.refused.contains(&Key::from(&component)) && !component.counts() {
                 self.is_unused = true;
-                let (functions, requirements) = (self.functions.len(), self.requirements.len());
+                let (functions, requirements, energies) = (self.functions.len(), self.requirements.len(), self.energies.len());
                 seen.extend(self.unused(&component, register));
                 self.functions.truncate(functions);
                 self.requirements.truncate(requirements);
+                self.energies.truncate(energies);
                 self.requirement_places.truncate(requirements);
                 self.is_unused = false;
             }
@@ -32,7 +33,7 @@ impl Elaborator<'_> {
     /// Checks one component; returns the components that were expanded.
     fn unused(&mut self, component: &ast::Shared<ast::ComponentItem>, register: &Register) -> Vec<ast::ItemId> {
         let word = component.head.name.to_string();
-        let context = Context { space: self.names.new_space(format!("{word}.")), bound: Rc::default() };
+        let context = Context { space: self.names.new_space(format!("{word}."), component.is_imported), bound: Rc::default() };
         // Its parameters are numbered after those of the mechanism, which it can use.
         let known = register.parameters.len();
         let mut own = Register::default();
@@ -59,6 +60,7 @@ impl Elaborator<'_> {
         self.marks(&own);
         self.joints(&own);
         self.joint_starts(&own);
+        self.forces(&own);
         self.outputs(&own);
         places(&own).collect()
     }

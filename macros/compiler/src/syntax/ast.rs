@@ -9,7 +9,7 @@ mod options;
 mod repeated;
 mod text;
 
-pub use definition::{Added, Applied, Condition, Definition, Definitions, Export, Formal, FormalKind, Statement};
+pub use definition::{Added, Applied, Condition, Defined, Definition, Definitions, Export, Formal, FormalKind, Handed, Statement};
 pub use expression::{Expression, ExpressionKind, Operator, Relation};
 pub use node::{ItemId, Shared};
 pub use options::{Closing, Following, Requests, Task};

@@ -1,123 +1,20 @@
 //! Parses definitions of constraints, and the statements that they share with mechanisms.
 
-use super::ast::{
-    Added, Applied, Condition, Definition, Definitions, Docs, Export, ExpressionKind, Formal, FormalKind, Let, MassItem, Statement,
-};
+use super::ast::{Added, Applied, Condition, Definition, ExpressionKind, Formal, FormalKind, Let, MassItem, Statement};
 use super::dimension::{dimension, required_dimension};
 use super::expression::{declared, expression, relation, value};
 use super::tokens::{
-    Parsed, arrow, attributes, block, comma, docs, equals, expected, keyword, name, parentheses, report, semicolon, skip_item,
-    statement_text, visibility, wrong,
+    Parsed, arrow, block, comma, docs, equals, expected, keyword, name, parentheses, semicolon, statement_text, visibility, wrong,
 };
-use crate::diag::{Diag, GrammarFact, MotionFact};
+use crate::diag::{GrammarFact, MotionFact};
 use crate::quantity::Ambient;
-use proc_macro2::{Ident, TokenStream, TokenTree};
+use proc_macro2::Ident;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{LitStr, Token, token};
 
-/// `pub constraint name(parameters) { statements }` or `pub bundle name { constraints }`, any number.
-pub(super) fn definitions(input: ParseStream, diag: &mut Diag) -> Option<Definitions> {
-    let mut exports = Vec::new();
-    while !input.is_empty() {
-        let before = input.fork();
-        match export(input, diag) {
-            Ok(export) => exports.push(export),
-            Err(refusal) => {
-                diag.refuse::<()>(refusal.range, refusal.fact);
-                exports.extend(promised(&before));
-                skip_item(input, &before, is_export);
-            }
-        }
-    }
-    Some(Definitions { exports })
-}
-
-/// Definitions without visibility, as handed over by an exported name.
-pub(super) fn exported(input: ParseStream, diag: &mut Diag) -> Option<Vec<Definition>> {
-    let mut definitions = Vec::new();
-    while !input.is_empty() {
-        definitions.push(report(definition(input), diag)?);
-    }
-    Some(definitions)
-}
-
-/// Reads the name of a rejected definition, so that a `use` of it is not rejected as well; the word before the name may be the error.
-fn promised(input: ParseStream) -> Option<Export> {
-    attributes(input).ok()?;
-    let visibility = visibility(input).ok()?;
-    Ident::parse_any(input).ok()?;
-    let name = input.parse().ok()?;
-    Some(Export {
-        docs: Docs::default(),
-        visibility,
-        name,
-        definitions: Vec::new(),
-        tokens: TokenStream::new(),
-        is_bundle: false,
-        members: Vec::new(),
-    })
-}
-
-/// True if the next export begins here.
-fn is_export(input: ParseStream) -> bool {
-    let ahead = input.fork();
-    visibility(&ahead).is_ok() && keyword(&ahead).filter(is_export_word).is_some() && ahead.peek2(syn::Ident)
-}
-
-fn is_export_word(word: &Ident) -> bool {
-    word == "constraint" || word == "force" || word == "bundle"
-}
-
-fn export(input: ParseStream, diag: &mut Diag) -> Parsed<Export> {
-    let docs = docs(input)?;
-    let visibility = visibility(input)?;
-    if keyword(input).is_some_and(|word| word == "bundle") {
-        return bundle(input, docs, visibility, diag);
-    }
-    // The tokens handed over are those from the word `constraint` to the closing brace.
-    let begin = input.fork();
-    let mut definition = definition(input)?;
-    let tokens = between(&begin, input)?;
-    definition.docs = docs.clone();
-    let name = definition.name.clone();
-    Ok(Export { docs, visibility, name, definitions: vec![definition], tokens, is_bundle: false, members: Vec::new() })
-}
-
-/// The tokens between two positions in the input.
-fn between(begin: ParseStream, end: ParseStream) -> Parsed<TokenStream> {
-    let mut tokens = TokenStream::new();
-    while begin.cursor() < end.cursor() {
-        tokens.extend([begin.parse::<TokenTree>()?]);
-    }
-    Ok(tokens)
-}
-
-/// `bundle name { constraints }`
-fn bundle(input: ParseStream, docs: Docs, visibility: TokenStream, diag: &mut Diag) -> Parsed<Export> {
-    Ident::parse_any(input)?;
-    let name = name(input, "the name of the bundle")?;
-    let content = block(input, "`{` and the constraints of the bundle")?;
-    let tokens: TokenStream = content.fork().parse()?;
-    let (mut definitions, mut members) = (Vec::new(), Vec::new());
-    while !content.is_empty() {
-        let before = content.fork();
-        match definition(&content) {
-            Ok(definition) => {
-                members.push((definition.name.clone(), between(&before, &content)?));
-                definitions.push(definition);
-            }
-            Err(refusal) => {
-                diag.refuse::<()>(refusal.range, refusal.fact);
-                skip_item(&content, &before, is_export);
-            }
-        }
-    }
-    Ok(Export { docs, visibility, name, definitions, tokens, is_bundle: true, members })
-}
-
 /// `constraint name(parameters) { statements }`, or the same with `force`
-fn definition(input: ParseStream) -> Parsed<Definition> {
+pub(super) fn definition(input: ParseStream) -> Parsed<Definition> {
     let docs = docs(input)?;
     visibility(input)?;
     let is_force = match keyword(input) {

@@ -1,8 +1,8 @@
 //! Parses the items of a mechanism.
 
 use super::ast::{
-    Closing, Docs, Expression, ExpressionKind, Following, FunctionItem, Gravity, Item, JointItem, Limits, Mechanism, ParameterItem,
-    Requests, Shared, StartItem, Task, TimeRange, Use,
+    Closing, ComponentItem, Docs, Expression, ExpressionKind, Following, FunctionItem, Gravity, Item, JointItem, Limits, Mechanism,
+    ParameterItem, Requests, Shared, StartItem, Task, TimeRange, Use,
 };
 use super::definition::{ambient, binding};
 use super::dimension::{dimension, required_dimension};
@@ -89,7 +89,26 @@ fn head(input: ParseStream) -> Parsed<Mechanism> {
 /// A mechanism whose head has a mistake: its name, and `in space` if written.
 fn salvaged(head: ParseStream) -> Option<Mechanism> {
     let name = name_before_block(head)?;
-    Some(Mechanism {
+    Some(without_items(name, ambient(head).ok().flatten().unwrap_or_default()))
+}
+
+/// A mechanism without parts, which has these components.
+pub(super) fn of_components(name: Ident, ambient: Ambient, components: Vec<ComponentItem>) -> Mechanism {
+    with_components(&without_items(name, ambient), components)
+}
+
+/// A mechanism with imported components.
+pub(super) fn with_components(tree: &Mechanism, components: Vec<ComponentItem>) -> Mechanism {
+    let mut whole = tree.clone();
+    whole.items.extend(components.into_iter().map(|component| Item::Component(Shared::new(component))));
+    if whole.task == Task::Kinematics && has_freedoms(&whole.items) {
+        whole.task = Task::Motion;
+    }
+    whole
+}
+
+fn without_items(name: Ident, ambient: Ambient) -> Mechanism {
+    Mechanism {
         docs: Docs::default(),
         task: Task::default(),
         closing: Closing::default(),
@@ -98,10 +117,10 @@ fn salvaged(head: ParseStream) -> Option<Mechanism> {
         requests: Requests::default(),
         visibility: quote::quote!(pub),
         name,
-        ambient: ambient(head).ok().flatten().unwrap_or_default(),
+        ambient,
         items: Vec::new(),
         mentions_masses: false,
-    })
+    }
 }
 
 /// Context of an item.
@@ -181,7 +200,7 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
         }
         "output" | "slice" => Item::Output(Shared::new(output(input, docs)?)),
         "range" => Item::Range(Shared::new(times(input)?)),
-        "component" => Item::Component(Shared::new(component(input, docs, place.ambient, diag)?)),
+        "component" => Item::Component(Shared::new(component(input, docs, Some(place.ambient), diag)?)),
         "part" => Item::Part(Shared::new(part(input, docs)?)),
         "for" => Item::For(Shared::new(repeated_items(input, place.ambient, diag)?)),
         _ => return unknown_item(input, &keyword, place.ambient),

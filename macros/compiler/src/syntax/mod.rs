@@ -9,6 +9,7 @@ mod arguments;
 pub mod ast;
 mod definition;
 mod dimension;
+mod export;
 mod expression;
 mod frame;
 mod item;
@@ -20,8 +21,10 @@ mod salvage;
 mod tokens;
 
 use crate::diag::{Diag, GrammarFact, Refusal};
-use ast::{Definition, Definitions, Expression, FunctionItem, Mechanism};
-use proc_macro2::{Span, TokenStream, TokenTree};
+use crate::quantity::Ambient;
+use ast::{ComponentItem, Definitions, Expression, FunctionItem, Handed, Mechanism};
+use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
+use std::collections::BTreeSet;
 use syn::parse::{ParseStream, Parser};
 
 /// Parses a `mechanism!` declaration.
@@ -34,12 +37,42 @@ pub(crate) fn parse(tokens: TokenStream, diag: &mut Diag) -> Option<Mechanism> {
 
 /// Parses a `constraint!` invocation.
 pub(crate) fn parse_definitions(tokens: TokenStream, diag: &mut Diag) -> Option<Definitions> {
-    run(tokens, diag, definition::definitions)
+    run(tokens, diag, export::definitions)
 }
 
 /// Parses the definitions behind an exported name, which have no visibility.
-pub(crate) fn parse_exported(tokens: TokenStream, diag: &mut Diag) -> Option<Vec<Definition>> {
-    run(tokens, diag, definition::exported)
+pub(crate) fn parse_exported(tokens: TokenStream, diag: &mut Diag) -> Option<Vec<Handed>> {
+    run(tokens, diag, export::exported)
+}
+
+/// A mechanism with imported components.
+pub(crate) fn with_components(tree: &Mechanism, components: Vec<ComponentItem>) -> Mechanism {
+    item::with_components(tree, components)
+}
+
+/// A mechanism without parts, in which these components are checked.
+pub(crate) fn of_components(name: Ident, ambient: Ambient, components: Vec<ComponentItem>) -> Mechanism {
+    item::of_components(name, ambient, components)
+}
+
+/// Words that are called, as in `word(…)`, and kinds of joints that are taken, as in `Joint(word)`.
+pub(crate) fn called(tokens: TokenStream) -> BTreeSet<String> {
+    let (mut words, mut pending) = (BTreeSet::new(), vec![tokens]);
+    while let Some(tokens) = pending.pop() {
+        let mut last: Option<String> = None;
+        for token in tokens {
+            let word = if let TokenTree::Ident(word) = &token { Some(word.to_string()) } else { None };
+            if let TokenTree::Group(group) = token {
+                let is_call = group.delimiter() == Delimiter::Parenthesis;
+                let taken = group.stream().into_iter().next().filter(|_| is_call && last.as_deref() == Some("Joint"));
+                words.extend(last.take().filter(|_| is_call));
+                words.extend(taken.map(|kind| kind.to_string()));
+                pending.push(group.stream());
+            }
+            last = word;
+        }
+    }
+    words
 }
 
 /// Parses a function of the library.

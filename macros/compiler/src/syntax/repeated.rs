@@ -2,7 +2,7 @@
 
 use super::arguments::arguments;
 use super::ast::{ComponentItem, Definition, Docs, For, IndexRange, Item, Marks, PartItem};
-use super::definition::formals;
+use super::definition::{ambient, formals};
 use super::expression::{declared, expression};
 use super::frame::marks;
 use super::item::{ItemContext, items};
@@ -15,8 +15,9 @@ use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Token, token};
 
-/// `component Name(parameters) { items }`
-pub(super) fn component(input: ParseStream, docs: Docs, ambient: Ambient, diag: &mut Diag) -> Parsed<ComponentItem> {
+/// `component Name(parameters) { items }`. `outer`: given, where the bodies of the mechanism move; without one the component may say it,
+/// as in `component Name(parameters) in space { items }`.
+pub(super) fn component(input: ParseStream, docs: Docs, outer: Option<Ambient>, diag: &mut Diag) -> Parsed<ComponentItem> {
     Ident::parse_any(input)?;
     let name = name(input, "the name of the component")?;
     let parameters = report(formals(input, "`(` and what the component takes, or `()`"), diag);
@@ -24,12 +25,15 @@ pub(super) fn component(input: ParseStream, docs: Docs, ambient: Ambient, diag: 
         return expected(input, "`{` and the items of the component");
     }
     let parameters = parameters.unwrap_or_default();
+    let own = if outer.is_none() { self::ambient(input)? } else { None };
+    let ambient = outer.or(own).unwrap_or_default();
     let content = block(input, "`{` and the items of the component")?;
     let items = items(&content, ItemContext { is_top: false, variable: None, ambient }, diag);
     Ok(ComponentItem {
         docs: docs.clone(),
-        head: Definition { docs, name, parameters, ambient: None, is_force: false, statements: Vec::new() },
+        head: Definition { docs, name, parameters, ambient: own, is_force: false, statements: Vec::new() },
         items,
+        is_imported: outer.is_none(),
     })
 }
 

@@ -20,8 +20,8 @@ crate::refusals! {
     constraint default_before_none: "constraint c(a: Length = 0, «P»: Point) { P.x == a; }" => "`P` needs a default, since the parameter before it has one\nhelp: put it before those with a default";
     constraint parameter_twice: "constraint c(P: Point, «P»: Point) { P.x == 0; }" => "the name `P` is taken: another parameter has it\nhelp: choose another name";
     constraint parameter_with_a_meaning: "constraint c(P: Point, «t»: Length) { P.x == t; }" => "`t` has a meaning of its own in expressions\nhelp: choose another name";
-    constraint constraint_twice: "pub constraint c(P: Point) { P.x == 0; } pub constraint «c»(P: Point) { P.y == 0; }" => "the name `c` is taken: another constraint has it\nhelp: choose another name";
-    constraint constraint_twice_in_a_bundle: "pub bundle all { constraint c(P: Point) { P.x == 0; } constraint «c»(P: Point) { P.y == 0; } }" => "the name `c` is taken: another constraint has it\nhelp: choose another name";
+    constraint constraint_twice: "pub constraint c(P: Point) { P.x == 0; } pub constraint «c»(P: Point) { P.y == 0; }" => "the name `c` is taken: another definition has it\nhelp: choose another name";
+    constraint constraint_twice_in_a_bundle: "pub bundle all { constraint c(P: Point) { P.x == 0; } constraint «c»(P: Point) { P.y == 0; } }" => "the name `c` is taken: another definition has it\nhelp: choose another name";
     constraint requirement_without_reason: "constraint c(P: Point, a: Length) { require a != 0«;» P.x == a; }" => "expected `:` and a sentence that says why, found `;`";
     constraint requirement_without_relation: "constraint c(P: Point, a: Length) { require a«:» \"why\"; P.x == a; }" => "expected a relation such as `<` or `!=`, found `:`";
     constraint requirement_of_unlike: "constraint c(P: Point, a: Length) { require «a != P»: \"why\"; P.x == a; }" => "cannot compare a number with a point";
@@ -30,5 +30,13 @@ crate::refusals! {
     constraint function_without_result: "constraint c(P: Point, f: Function(Angle)«,» b: Body) { P.x == f(b.angle); }" => "expected `->` and the dimension of the value, found `,`";
     constraint order_of_bodies: "constraint c(b: Body, d: Body) { require «b < d»: \"why\"; b.x == d.x; }" => "bodies have no order\nhelp: compare them with `==` or `!=`";
     constraint empty_bundle: "pub bundle «nothing» {}" => "the bundle `nothing` has no constraints\nhelp: put `constraint name(…) { … }` into it";
+    constraint component_twice: "pub component C(P: Point) { body b {} joint j = revolute(P, b.position); } pub constraint «C»(P: Point) { P.y == 0; }" => "the name `C` is taken: another definition has it\nhelp: choose another name";
+    constraint component_of_nothing_outside: "pub component C(P: Point) { body b { point A = («length», 0mm); } joint j = revolute(P, b.A); }" => "nothing is called `length` here\nnote: in `C.b.A`\nhelp: declare it, such as `param length: Length = …;`";
+    constraint component_without_its_component: "pub component C(P: Point) { part d = «D»(P); }" => "no component is called `D`\nhelp: declare it with `component D(…) { … }`";
+    constraint component_with_a_broken_force: "pub component C(P: Point) { body b {} joint j = revolute(P, b.position); force f = spring(P, b.position, stiffness: 1N_m, «length»: 1m); }" => "`spring` has no parameter `length`\nnote: in `C.f`\nhelp: did you mean `rest`?\nnote: `spring(P: Point, Q: Point, stiffness: Stiffness, rest: Length = …)`";
+    constraint component_in_space: "pub component C(P: Point) in space { body b { point A = «(1m, 0m)»; } joint j = spherical(P, b.A); }" => "a vector in space has 3 components, found 2\nnote: in `C.b.A`\nhelp: write the third, which is 0 in the plane of x and y";
+    constraint component_in_no_place: "pub component C(P: Point) in «room» { body b {} }" => "expected `space` or `plane`, found `room`";
+    constraint broken_in_a_component: "pub component C(P: Point) { body b { point A = «;» } } pub constraint c(P: Point) { P.x == 0; }" => "expected an expression, found `;`";
+    constraint attribute_of_a_component: "#[«inline»] pub component C(P: Point) { body b {} }" => "`#[inline]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`, `#[velocity]` before `joint` and `drive`";
     constraint broken_in_a_bundle: "pub bundle all { constraint c(P: Point) { P.x == «;» } constraint d(P: Point) { P.y == 0; } }" => "expected an expression, found `;`";
 }

@@ -192,6 +192,10 @@ impl Display for NameFact {
             }
             NameFact::Duplicate { name, .. } if name == "gravity" => write!(f, "there is one gravity only\nhelp: take one of them away"),
             NameFact::Duplicate { name, first } => write!(f, "the name `{name}` is taken: {first} has it\nhelp: choose another name"),
+            NameFact::CalledByComponent { name, component, can_be_renamed } => {
+                write!(f, "the imported component `{component}` calls another `{name}`, its own or that of the library")?;
+                if *can_be_renamed { write!(f, "\nhelp: bring this one in by another name, `use … as …;`") } else { Ok(()) }
+            }
             NameFact::DuplicateMark { name, body } => write!(f, "`{body}` has another `{name}` already\nhelp: choose another name"),
             NameFact::DuplicateStart { name, body } => {
                 let is_start = !["mass", "center", "inertia"].contains(&name.as_str());

@@ -115,6 +115,7 @@ impl Display for ValueFact {
                     "revolute_translational" => "`point_on_plane(P, a, Q, offset)`",
                     "absolute_distance" => "`distance(P, Q, c)`",
                     "involute_mesh" => "`gear_pair(one, two, a, b)` of the angles of two joints, without the force between the teeth",
+                    _ if word.starts_with(char::is_uppercase) => "a component of your own",
                     _ => "an equation of your own",
                 };
                 write!(f, "`{word}` is for the plane; in space write {instead}")

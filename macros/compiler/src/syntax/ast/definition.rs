@@ -1,11 +1,11 @@
 //! Definitions of constraints, and the statements in them.
 
-use super::{Dimension, Docs, Expression, Let, MassItem, Relation};
+use super::{ComponentItem, Dimension, Docs, Expression, Let, MassItem, Relation};
 use crate::diag::Range;
 use crate::quantity::Ambient;
 use proc_macro2::{Ident, TokenStream};
 
-/// A `constraint!` invocation: definitions that are exported one by one, or bundles of many.
+/// A `constraint!` invocation: constraints, forces and components that are exported one by one, or bundles of many.
 #[derive(Clone, Debug)]
 pub struct Definitions {
     /// Exports, in the order written.
@@ -21,6 +21,45 @@ impl Definition {
     }
 }
 
+/// What a name of `constraint!` stands for.
+#[derive(Clone, Debug)]
+pub enum Defined {
+    /// A constraint or a force.
+    Constraint(Definition),
+    /// A component.
+    Component(ComponentItem),
+}
+
+impl Defined {
+    /// Name, parameters and ambient; of a constraint or a force its statements as well.
+    #[must_use]
+    pub fn head(&self) -> &Definition {
+        match self {
+            Defined::Constraint(definition) => definition,
+            Defined::Component(component) => &component.head,
+        }
+    }
+
+    /// Where it may be used: a constraint everywhere unless it says otherwise, a component in the plane.
+    pub(crate) fn ambient(&self) -> Option<Ambient> {
+        match self {
+            Defined::Constraint(definition) => definition.ambient,
+            Defined::Component(component) => Some(component.head.ambient.unwrap_or_default()),
+        }
+    }
+}
+
+/// A definition handed over to a mechanism.
+#[derive(Clone, Debug)]
+pub struct Handed {
+    /// The definition.
+    pub defined: Defined,
+    /// Its tokens.
+    pub tokens: TokenStream,
+    /// True if the name handed over stands for it, false if a component handed over calls it.
+    pub is_named: bool,
+}
+
 /// Definitions that are exported under one name.
 #[derive(Clone, Debug)]
 pub struct Export {
@@ -31,13 +70,20 @@ pub struct Export {
     /// The exported name.
     pub name: Ident,
     /// One definition, or all definitions of a bundle.
-    pub definitions: Vec<Definition>,
+    pub definitions: Vec<Defined>,
     /// The tokens of the definitions, handed over to mechanisms.
     pub tokens: TokenStream,
     /// True if written as `bundle name { … }`.
     pub is_bundle: bool,
-    /// The constraints of a bundle one by one, each with its own tokens.
+    /// The definitions of a bundle one by one, each with its own tokens.
     pub members: Vec<(Ident, TokenStream)>,
+}
+
+impl Export {
+    /// Names of its definitions.
+    pub(crate) fn own_names(&self) -> Vec<&Ident> {
+        self.definitions.iter().map(|defined| &defined.head().name).collect()
+    }
 }
 
 /// One `constraint` definition.

@@ -14,6 +14,8 @@ pub struct ComponentItem {
     pub head: Definition,
     /// Items between the braces, in the order written.
     pub items: Vec<Item>,
+    /// True if it was defined in `constraint!`: it sees no name of the mechanism.
+    pub is_imported: bool,
 }
 
 impl ComponentItem {
