@@ -282,7 +282,10 @@ fn interpolated<T: Float, const N: usize>(near: &State<T, N>, far: &State<T, N>,
             }
             // The integral of ω, without its value.
             Held::Rate => [rate - acceleration / of(3.0), of(0.25) * acceleration - of(0.5) * rate, of(0.0)],
-            Held::Acceleration => [acceleration / of(6.0), of(0.0), of(0.0)],
+            Held::Acceleration => {
+                qdd[i] = near.qdd[i] + s * (far.qdd[i] - near.qdd[i]);
+                continue;
+            }
         };
         q[i] = near.q[i] + s * (first + s * (of(0.5) * second + s * (c3 + s * (c4 + s * c5))));
         qd[i] = (first + s * (second + s * (of(3.0) * c3 + s * (of(4.0) * c4 + s * of(5.0) * c5)))) / h;
