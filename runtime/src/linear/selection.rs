@@ -8,7 +8,7 @@ const LOST: f64 = 8192.0;
 /// ε^(−1/4) in single precision.
 const LOST_OF_SINGLE: f64 = 53.8;
 
-/// Third derivatives of the unknowns of a block, x with A x = b; not numbers from the condition ε^(−1/4) on, where they have lost all digits: κ⁴ ε = 1.
+/// Third derivatives of the unknowns of a block, x with A x = b; not numbers from the condition κ = ε^(−1/4) on, where they have lost all digits.
 ///
 /// * `condition`: given, κ of the state.
 #[must_use]
