@@ -157,7 +157,7 @@ pub use dynamics::{Balance, Constraints, Driven, Dynamics, Energy, Explicit, Int
 pub use enclosure::{Certificate, Doubt, Enclosure, ErrorBound};
 pub use explain::Failure;
 #[doc(hidden)]
-pub use linear::{AtIterate, Turning, solution_by_selection, zeros};
+pub use linear::{AtIterate, Turning, third_derivatives, zeros};
 pub use linear::{Eliminated, Elimination, Entries, FactorReal, Factors, Linear, Order, Small, Sparse};
 pub use nalgebra;
 pub use names::{

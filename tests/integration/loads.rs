@@ -182,3 +182,47 @@ fn the_effort_of_a_distance_is_the_force_along_it() {
         }
     }
 }
+
+mechanism! {
+    /// An isosceles slider-crank passes its change point at 90° while its crank gains speed, and a crank beside it.
+    mechanism Isosceles {
+        param gain: AngularAcceleration = 0.6rad_s2;
+        ground { axis way = (1, 0);  point aside = (1m, 0m); }
+        body crank  { point A = (120mm, 0mm); }
+        body rod    { point B = (120mm, 0mm);  mass = 0.5kg;  inertia = 0.002kgm2;  start angle = -60deg; }
+        body slide  { mass = 0.8kg; }
+        body beside { inertia = 0.01kgm2;  mass = 1kg; }
+        joint o = revolute(ground.position, crank.position);
+        joint a = revolute(crank.A, rod.position);
+        joint b = revolute(rod.B, slide.position);
+        joint guide = translational(ground.way, ground.position, slide.position);
+        joint pivot = revolute(ground.aside, beside.position);
+        drive motor = drive_angle(crank, 60deg + 1rad_s * t + gain * t^2 / 2);
+        drive other = drive_angle(beside, gain * t^2 / 2);
+    }
+}
+
+#[test]
+fn loads_that_grow_beyond_all_bounds_at_a_change_point_are_no_numbers_there() {
+    for gain in [0.6, 0.0] {
+        let isosceles = Isosceles { gain, ..Default::default() };
+        // 60° + t + gain t² / 2 = 90°
+        let sixth = core::f64::consts::FRAC_PI_6;
+        let t = 2.0 * sixth / (1.0 + (1.0 + 2.0 * gain * sixth).sqrt());
+        let loads = isosceles.loads(&isosceles.solve(t).expect("a state"));
+        // The rod turns by J φ̈ with φ̈ = −gain, and the slide accelerates by −2 r gain: no force along the rod turns it.
+        assert_eq!(loads.motor().effort.is_finite(), gain == 0.0, "{:?}", loads.motor());
+        assert_eq!(loads.a().force.x.is_nan() || loads.a().force.y.is_nan(), gain != 0.0, "{:?}", loads.a());
+        assert!(!loads.guide().is_unique);
+        // What is not coupled with it has its loads.
+        let other = loads.other();
+        assert!(other.is_unique && (other.effort - 0.01 * gain).abs() < 1e-16, "{other:?}");
+        // Near it the motor does the work of all masses: T = I θ̇² / 2, I = m r² + J + 4 m_s r² sin² θ.
+        let near = t + 1e-3;
+        let (angle, speed) = (2.0 * sixth + near + gain * near * near / 2.0, 1.0 + gain * near);
+        let (own, of_slide) = (0.5 * 0.0144 + 0.002, 0.8 * 4.0 * 0.0144);
+        let effort = (own + of_slide * angle.sin().powi(2)) * gain + of_slide * angle.sin() * angle.cos() * speed * speed;
+        let found = isosceles.loads(&isosceles.solve(near).expect("a state")).motor();
+        assert!(found.is_unique && (found.effort - effort).abs() < 1e-8, "{found:?} {effort}");
+    }
+}

@@ -1,5 +1,6 @@
 //! Outputs that contain velocities, and outputs with jerk, in whole states and in slices.
 
+mod change_points;
 mod jerk;
 mod jerk_in_space;
 mod splines;

@@ -123,3 +123,40 @@ fn corrections_of_angles_that_are_zero_by_symmetry_settle() {
     assert!(mechanism.solve(0.0).is_ok(), "{:?}", mechanism.solve(0.0).err());
     assert!(mechanism.sweep((0..20).map(|k| 0.05 * f64::from(k))).all(|state| state.is_ok()));
 }
+
+mechanism! {
+    /// Sarrus' linkage: the place of the desk is declared, and none of the angles of the legs.
+    mechanism Sarrus in space {
+        ground {
+            point A = (100mm, 0mm, 0mm);  axis y = (0, 1, 0) from (1, 0, 0);
+            point B = (0mm, 100mm, 0mm);  axis x = (1, 0, 0) from (0, 1, 0);
+        }
+        body left        { axis y = (0, 1, 0) from (1, 0, 0);  point knee = (200mm, 0mm, 0mm); }
+        body left_shank  { axis y = (0, 1, 0) from (1, 0, 0);  point end = (-200mm, 0mm, 0mm); }
+        body right       { axis x = (1, 0, 0) from (0, 1, 0);  point knee = (0mm, 200mm, 0mm); }
+        body right_shank { axis x = (1, 0, 0) from (0, 1, 0);  point end = (0mm, -200mm, 0mm); }
+        body desk {
+            point A = (100mm, 0mm, 0mm);  axis y = (0, 1, 0) from (1, 0, 0);
+            point B = (0mm, 100mm, 0mm);  axis x = (1, 0, 0) from (0, 1, 0);
+            start position = (0mm, 0mm, 250mm);
+        }
+        joint a = revolute(ground.A, ground.y, left.position, left.y);
+        joint b = revolute(left.knee, left.y, left_shank.position, left_shank.y);
+        joint c = revolute(left_shank.end, left_shank.y, desk.A, desk.y);
+        joint d = revolute(ground.B, ground.x, right.position, right.x);
+        joint e = revolute(right.knee, right.x, right_shank.position, right_shank.x);
+        redundant joint f = revolute(right_shank.end, right_shank.x, desk.B, desk.x);
+        drive lift = drive_z(desk.position, 250mm + 20mm_s * t);
+        output knee = b.angle;
+    }
+}
+
+#[test]
+fn a_position_says_nothing_of_an_angle_at_a_hinge_that_could_be_anywhere() {
+    let sarrus = Sarrus::default();
+    let state = sarrus.solve(0.0).unwrap();
+    // Upside down the desk would stand at the same place, with the axes of `f` against each other.
+    assert!(state.desk().orientation().angle() < 1e-14, "{}", state.desk().orientation());
+    // Both halves of a leg rise by half of 250 mm.
+    assert!((sarrus.knee(&state).value - 2.0 * (0.125_f64 / 0.2).asin()).abs() < 1e-14, "{}", sarrus.knee(&state).value);
+}

@@ -18,7 +18,8 @@ use crate::state::{PlanarBody, SpatialBody};
 /// angular velocity a torque about the origin.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loads<T, const M: usize, const A: usize> {
-    /// λ, by equation; in N for an equation in m, in N m for one in rad. NaN if it depends on a NaN.
+    /// λ, by equation; in N for an equation in m, in N m for one in rad. NaN if it depends on a NaN, and where joints lose rank and no forces
+    /// balance.
     pub multipliers: SVector<T, M>,
     /// True for multipliers that are unique. Redundant equations share their load: of all solutions, these multipliers have least norm.
     pub is_unique: [bool; M],
@@ -135,8 +136,11 @@ pub struct DriveLoad<T> {
 /// A column counts as dependent on others if eliminating them leaves less than this fraction of the largest entry.
 const DEPENDENT: f64 = 1e-11;
 
+/// Forces count as balanced if what is left of them is at most this multiple of √ε of the largest one.
+const BALANCED: f64 = 64.0;
+
 impl<T: Scalar, const M: usize, const A: usize> Loads<T, M, A> {
-    /// The multipliers of Φ_uᵀ λ = −f, and the loads that follow from them.
+    /// The multipliers of Φ_uᵀ λ = −f, and the loads that follow from them. Where none satisfy it, those that are coupled are NaN.
     ///
     /// * `jacobian`: given, Φ_u; overwritten.
     /// * `unbalanced`: given, f = M u̇ − Q.
@@ -154,7 +158,9 @@ impl<T: Scalar, const M: usize, const A: usize> Loads<T, M, A> {
         // The columns of Φ_u are the rows of its transpose.
         let rows = &mut jacobian.data.0;
         let mut right = unbalanced.data.0[0].map(|force| -force);
-        let (pivots, rank) = eliminate(rows, &mut right);
+        let heaviest = right.iter().fold(T::of(0.0), |heaviest, force| if force.abs() > heaviest { force.abs() } else { heaviest });
+        let mut coupled: [usize; U] = core::array::from_fn(|row| row);
+        let (pivots, rank) = eliminate(rows, &mut right, &mut coupled);
         let mut multipliers = SVector::<T, M>::from_element(T::of(0.0));
         for (multiplier, value) in pivots.iter().zip(&right).take(rank) {
             multipliers[*multiplier] = *value;
@@ -162,6 +168,17 @@ impl<T: Scalar, const M: usize, const A: usize> Loads<T, M, A> {
         let mut is_unique = [true; M];
         if rank < M {
             least_norm(rows, &pivots, rank, &mut multipliers, &mut is_unique);
+        }
+        // Where joints lose rank, no forces may balance: close to such a place they grow beyond all bounds.
+        for row in (rank..U).filter(|row| right[*row].abs() > T::of(BALANCED) * T::ROOT_EPSILON * heaviest) {
+            let is_coupled = |k: usize| coupled[k] == coupled[row];
+            for (place, &multiplier) in pivots.iter().enumerate() {
+                let takes_part = |k: usize| is_coupled(k) && rows[k][multiplier] != T::of(0.0);
+                let is_lost = if place < rank { is_coupled(place) } else { (0..rank).any(takes_part) };
+                if is_lost {
+                    (multipliers[multiplier], is_unique[multiplier]) = (T::of(f64::NAN), false);
+                }
+            }
         }
         Self { multipliers, is_unique, actions: actions(&multipliers) }
     }
@@ -224,8 +241,14 @@ impl<T: Scalar, const M: usize, const A: usize> Loads<T, M, A> {
 
 /// Gauss-Jordan elimination of rows with complete pivoting: afterwards the columns `pivots[..rank]` are unit vectors in this order. Returns all
 /// columns, the eliminated ones first, and their number.
+///
+/// * `coupled`: given, a different number for each row; afterwards the numbers of rows that were added to each other are equal.
 #[inline(never)]
-fn eliminate<T: Scalar, const M: usize, const U: usize>(rows: &mut [[T; M]; U], right: &mut [T; U]) -> ([usize; M], usize) {
+fn eliminate<T: Scalar, const M: usize, const U: usize>(
+    rows: &mut [[T; M]; U],
+    right: &mut [T; U],
+    coupled: &mut [usize; U],
+) -> ([usize; M], usize) {
     let mut pivots: [usize; M] = core::array::from_fn(|k| k);
     let mut largest = T::of(0.0);
     let mut sizes = rows.each_ref().map(|row| largest_of(row, &pivots));
@@ -244,6 +267,7 @@ fn eliminate<T: Scalar, const M: usize, const U: usize>(rows: &mut [[T; M]; U], 
         rows.swap(rank, row);
         right.swap(rank, row);
         sizes.swap(rank, row);
+        coupled.swap(rank, row);
         let pivot = rows[rank][column];
         let own = rows[rank].map(|entry| entry / pivot);
         (rows[rank], right[rank]) = (own, right[rank] / pivot);
@@ -255,6 +279,8 @@ fn eliminate<T: Scalar, const M: usize, const U: usize>(rows: &mut [[T; M]; U], 
                     *entry = *entry - factor * *own;
                 }
                 right[row] = right[row] - factor * side;
+                let (one, other) = (coupled[rank], coupled[row]);
+                coupled.iter_mut().filter(|number| **number == other).for_each(|number| *number = one);
                 sizes[row] = largest_of(&rows[row], &pivots[rank + 1..]);
             }
         }

@@ -34,7 +34,7 @@ pub(crate) use elimination::InOrder;
 pub use elimination::{Eliminated, Elimination, Order};
 pub use factor::Factors;
 pub(crate) use rank::{regular_part, weakest};
-pub use selection::solution_by_selection;
+pub use selection::third_derivatives;
 pub use small::Small;
 pub use sparse::{Entries, Sparse};
 pub use turning::{AtIterate, Turning};

@@ -2,6 +2,24 @@
 
 use crate::number::Real;
 
+/// ε^(−1/4) in double precision.
+const LOST: f64 = 8192.0;
+
+/// ε^(−1/4) in single precision.
+const LOST_OF_SINGLE: f64 = 53.8;
+
+/// Third derivatives of the unknowns of a block, x with A x = b; not numbers from the condition κ = ε^(−1/4) on, where they have lost all digits.
+///
+/// * `condition`: given, κ of the state.
+#[must_use]
+pub fn third_derivatives<T: Real, const K: usize>(condition: T, a: [[T; K]; K], b: [T; K]) -> [T; K] {
+    let one = T::of(1.0);
+    // Zero in single precision.
+    let small = (one + T::of(f64::EPSILON)) - one;
+    let most = T::select_less(T::of(0.0), small, T::of(LOST), T::of(LOST_OF_SINGLE));
+    solution_by_selection(a, b).map(|x| T::select_less(condition, most, x, T::of(f64::NAN)))
+}
+
 /// x with A x = b: Gaussian elimination, whose pivots are chosen by selection in place of comparison, so that it is the same for numbers,
 /// SIMD registers and dual numbers.
 ///
@@ -12,8 +30,7 @@ use crate::number::Real;
 /// * `b`: given.
 ///
 /// Source: G. H. Golub, C. F. Van Loan, Matrix Computations, 4th edition, section 3.4.
-#[must_use]
-pub fn solution_by_selection<T: Real, const K: usize>(a: [[T; K]; K], b: [T; K]) -> [T; K] {
+fn solution_by_selection<T: Real, const K: usize>(a: [[T; K]; K], b: [T; K]) -> [T; K] {
     let (mut a, mut x) = (a, b);
     for (row, side) in a.iter_mut().zip(&mut x) {
         let largest = row.iter().fold(T::of(0.0), |largest, entry| largest.max(entry.abs()));

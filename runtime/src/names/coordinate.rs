@@ -13,6 +13,12 @@ pub struct Coordinate {
     pub kind: CoordinateKind,
 }
 
+/// How the name of an entry ends that has a velocity and its rate as q̇ and q̈, and no value: an output of velocities of a slice.
+pub(crate) const OF_VELOCITY: &str = " of velocity";
+
+/// How the name of an entry ends that has a third derivative of an output of a slice as q̈, and nothing else.
+pub(crate) const OF_JERK: &str = " of jerk";
+
 /// The quantity that a coordinate measures, which determines its scale.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]

@@ -183,9 +183,10 @@ fn between<T: Float>() -> T {
 /// these states exist.
 ///
 /// ```text
-/// error of q and q̇:  a h⁶ + b h⁸ + …        (64 x_h − x_2h) / 63,    then (256 x_h − x_2h) / 255
-/// error of q̈:        a h⁴ + b h⁶ + …        (16 x_h − x_2h) / 15,    then (64 x_h − x_2h) / 63
-/// error of ω and ω̇:  the same
+/// error of q and q̇:                 a h⁶ + b h⁸ + …        (64 x_h − x_2h) / 63,    then (256 x_h − x_2h) / 255
+/// error of q̈:                       a h⁴ + b h⁶ + …        (16 x_h − x_2h) / 15,    then (64 x_h − x_2h) / 63
+/// error of ω and ω̇:                 the same
+/// error of accelerations by themselves:  a h² + b h⁴ + …    (4 x_h − x_2h) / 3,      then (16 x_h − x_2h) / 15
 /// ```
 ///
 /// Stoer, Bulirsch: Introduction to Numerical Analysis, 3.4.
@@ -206,41 +207,60 @@ fn extrapolated<T: Float, const N: usize>(
     };
     let (near, far, mut there) = between(&near, &far, h)?;
     let Some((near, far, second)) = between(&near, &far, T::of(2.0) * h) else { return Some(there) };
-    let shares = [T::of(1.0 / 63.0), T::of(1.0 / 15.0)];
+    let shares = [1.0 / 63.0, 1.0 / 15.0, 1.0 / 3.0];
     there = combined(there, &second, mechanism.coordinates, shares);
     if let Some((_, _, third)) = between(&near, &far, T::of(4.0) * h) {
         let coarse = combined(second, &third, mechanism.coordinates, shares);
-        there = combined(there, &coarse, mechanism.coordinates, [T::of(1.0 / 255.0), T::of(1.0 / 63.0)]);
+        there = combined(there, &coarse, mechanism.coordinates, [1.0 / 255.0, 1.0 / 63.0, 1.0 / 15.0]);
     }
     Some(there)
 }
 
-/// x_h + s (x_h − x_2h), with one weight s for q and q̇, and one for q̈ and ω.
+/// x_h + s (x_h − x_2h), with one weight s for q and q̇, one for q̈ and ω, and one for accelerations by themselves.
 fn combined<T: Float, const N: usize>(
     mut fine: State<T, N>,
     coarse: &State<T, N>,
     coordinates: &[Coordinate],
-    [share, of_accelerations]: [T; 2],
+    [share, of_accelerations, of_lone]: [f64; 3],
 ) -> State<T, N> {
     let Values { q, qd, qdd, .. } = &mut fine.values;
-    let add = |entry: &mut T, other: T, share: T| *entry = *entry + share * (*entry - other);
+    let add = |entry: &mut T, other: T, share: f64| *entry = *entry + T::of(share) * (*entry - other);
     for i in 0..N {
+        let [of_rate, of_acceleration] = match held(coordinates, i) {
+            Held::Motion => [share, of_accelerations],
+            Held::Rate => [of_accelerations; 2],
+            Held::Acceleration => [share, of_lone],
+        };
         add(&mut q[i], coarse.q[i], share);
-        add(&mut qd[i], coarse.qd[i], if is_of_orientation(coordinates, i) { of_accelerations } else { share });
-        add(&mut qdd[i], coarse.qdd[i], of_accelerations);
+        add(&mut qd[i], coarse.qd[i], of_rate);
+        add(&mut qdd[i], coarse.qdd[i], of_acceleration);
     }
     fine
 }
 
-/// Whether a coordinate is an entry of a rotation matrix: its rates are those of no coordinate, but the first three of the nine are ω and
-/// ω̇.
-fn is_of_orientation(coordinates: &[Coordinate], i: usize) -> bool {
+/// Which of the entries of q, q̇ and q̈ at an index belong together.
+enum Held {
+    /// All of them: q̇ is the rate of q.
+    Motion,
+    /// q̇ and q̈: a velocity and its rate, without a value of which it is the rate.
+    Rate,
+    /// q̈ alone: a third derivative of an output.
+    Acceleration,
+}
+
+/// What a coordinate has: the first three entries of a rotation matrix have ω and ω̇ as rates, and outputs of slices say it by their names.
+fn held(coordinates: &[Coordinate], i: usize) -> Held {
     let coordinate = names::coordinate(coordinates, i);
-    coordinate.kind == CoordinateKind::Number && coordinate.name.starts_with('a')
+    match coordinate.kind {
+        CoordinateKind::Number if coordinate.name.starts_with('a') => Held::Rate,
+        _ if coordinate.name.ends_with(names::OF_VELOCITY) => Held::Rate,
+        _ if coordinate.name.ends_with(names::OF_JERK) => Held::Acceleration,
+        _ => Held::Motion,
+    }
 }
 
 /// The state at `t` of the polynomial of fifth degree through two states, their rates and their accelerations, on the branch of the second;
-/// ω follows a polynomial of third degree through ω and ω̇.
+/// ω and other velocities follow a polynomial of third degree through them and their rates, third derivatives of outputs a straight line.
 ///
 /// Its accelerations have lost twice as many digits as those of the states.
 fn interpolated<T: Float, const N: usize>(near: &State<T, N>, far: &State<T, N>, t: T, coordinates: &[Coordinate]) -> State<T, N> {
@@ -254,13 +274,18 @@ fn interpolated<T: Float, const N: usize>(near: &State<T, N>, far: &State<T, N>,
         let value = ((far.q[i] - near.q[i]) - first) - of(0.5) * second;
         let rate = h * (far.qd[i] - near.qd[i]) - second;
         let acceleration = h * h * (far.qdd[i] - near.qdd[i]);
-        let [c3, c4, c5] = if is_of_orientation(coordinates, i) {
+        let [c3, c4, c5] = match held(coordinates, i) {
+            Held::Motion => {
+                let c3 = of(10.0) * value - of(4.0) * rate + of(0.5) * acceleration;
+                let c4 = of(7.0) * rate - of(15.0) * value - acceleration;
+                [c3, c4, of(6.0) * value - of(3.0) * rate + of(0.5) * acceleration]
+            }
             // The integral of ω, without its value.
-            [rate - acceleration / of(3.0), of(0.25) * acceleration - of(0.5) * rate, of(0.0)]
-        } else {
-            let c3 = of(10.0) * value - of(4.0) * rate + of(0.5) * acceleration;
-            let c4 = of(7.0) * rate - of(15.0) * value - acceleration;
-            [c3, c4, of(6.0) * value - of(3.0) * rate + of(0.5) * acceleration]
+            Held::Rate => [rate - acceleration / of(3.0), of(0.25) * acceleration - of(0.5) * rate, of(0.0)],
+            Held::Acceleration => {
+                qdd[i] = near.qdd[i] + s * (far.qdd[i] - near.qdd[i]);
+                continue;
+            }
         };
         q[i] = near.q[i] + s * (first + s * (of(0.5) * second + s * (c3 + s * (c4 + s * c5))));
         qd[i] = (first + s * (second + s * (of(3.0) * c3 + s * (of(4.0) * c4 + s * of(5.0) * c5)))) / h;

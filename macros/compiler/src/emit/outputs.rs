@@ -88,7 +88,7 @@ impl Emitter<'_> {
             let (entries, sides) = results.split_at(results.len() - names.len());
             let rows = entries.chunks(names.len()).map(|row| quote!([#(#row),*]));
             let names = names.iter().map(|name| local(name));
-            quote!(let [#(#names),*] = { #reads #steps ::reuleaux::solution_by_selection([#(#rows),*], [#(#sides),*]) };)
+            quote!(let [#(#names),*] = { #reads #steps ::reuleaux::third_derivatives(state.condition, [#(#rows),*], [#(#sides),*]) };)
         };
         let one = |output: &OutputCode| {
             let systems: TokenStream = output.systems.iter().map(system).collect();

@@ -103,14 +103,19 @@ impl Emitter<'_> {
     }
 
     /// Names and units of the components of an output, and the entries of the state that hold them: the components, and if they are twice as many
-    /// their rates.
+    /// their third derivatives. By their names the runtime tells entries without a value, or without a rate.
     fn components_of(&self, method: &Method, entries: usize) -> (Vec<TokenStream>, Vec<TokenStream>) {
         let outputs: Vec<(String, [String; 4])> =
             method.members.iter().flat_map(|member| docs::components(self.system, &self.model.outputs[*member])).collect();
+        let is_of_velocities = method.members.iter().any(|member| self.model.outputs[*member].derivatives == 1);
         let entry = |entry: usize| {
             let name = outputs.get(entry % outputs.len()).map_or("", |output| output.0.as_str());
             let (whole, part) = name.rsplit_once('.').unwrap_or((name, "value"));
-            let part = if entry < outputs.len() { part.to_owned() } else { format!("{part} rate") };
+            let part = match entry < outputs.len() {
+                true if is_of_velocities => format!("{part} of velocity"),
+                true => part.to_owned(),
+                false => format!("{part} of jerk"),
+            };
             quote!(::reuleaux::Coordinate::length(#whole, #part))
         };
         let entries = (0..entries).map(entry).collect();

@@ -187,7 +187,7 @@ impl Forest<'_> {
     }
 
     /// Angle of the triad of a new body against the one that it is reached from, at the start: by the declared place of its origin, if its
-    /// orientation is not declared.
+    /// orientation is not declared and that of the other body is known, since the place of the hinge is not known without it.
     ///
     /// ```text
     /// u = r − P    from the point that both bodies share to the origin of the new body, in ground
@@ -196,7 +196,7 @@ impl Forest<'_> {
     pub(super) fn start_angle_by_place(&mut self, inner: Triad, outer: Triad) -> Option<Expr> {
         let body = outer.body?;
         let declared = &self.model.bodies[body].coordinates;
-        if self.has_orientation(body) || !declared.iter().any(|one| one.start.is_some()) {
+        if self.has_orientation(body) || !declared.iter().any(|one| one.start.is_some()) || !self.is_orientation_known(inner.body) {
             return None;
         }
         let (at, own) = self.shared_point(inner.body, outer.body)?;
