@@ -165,7 +165,7 @@ pub enum NameFact {
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
 pub enum ArityFact {
     TooManyArguments { definition: String, signature: String, takes: [usize; 2], found: usize },
-    MissingArguments { definition: String, signature: String, takes: [usize; 2], found: usize, missing: Vec<String> },
+    MissingArguments { definition: String, signature: String, takes: [usize; 2], found: usize, missing: Vec<String>, is_of_joint: bool },
     MissingAxes { definition: String, signature: String, missing: Vec<String>, instead: String, without: Vec<String> },
     UnknownArgument { definition: String, name: String, signature: String, near: Option<String> },
     DuplicateArgument { name: String, is_also_in_order: bool },
@@ -198,8 +198,8 @@ pub enum ValueFact {
     NotTwoComponents { found: usize, meant: Option<String> },
     NotThreeComponents { found: usize, meant: Option<String> },
     MeansSpace { name: String },
-    OnlyInSpace { word: String },
-    OnlyInPlane { word: String },
+    OnlyInSpace { word: String, typed: Option<Typed> },
+    OnlyInPlane { word: String, typed: Option<Typed> },
     AlongItsAxis { name: String },
     VectorAndNumber { in_space: bool },
     VectorTimesVector,
@@ -337,6 +337,15 @@ pub enum AssemblyFact {
         turn: Option<String>,
         is_declared: bool,
     },
+}
+
+/// A name that is not known, beside one that is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Typed {
+    /// `constraint` or `function`.
+    pub sort: &'static str,
+    /// The name as it was typed.
+    pub name: String,
 }
 
 /// Known names: the first few, and how many there are in all.

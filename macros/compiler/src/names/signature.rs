@@ -80,9 +80,9 @@ pub(crate) fn too_many(definition: &Definition, found: usize) -> ArityFact {
     }
 }
 
-pub(crate) fn too_few(definition: &Definition, found: usize, missing: Vec<String>) -> ArityFact {
+pub(crate) fn too_few(definition: &Definition, found: usize, missing: Vec<String>, is_of_joint: bool) -> ArityFact {
     let (name, signature) = (definition.name.to_string(), signature(definition));
-    ArityFact::MissingArguments { definition: name, signature, takes: takes(definition), found, missing }
+    ArityFact::MissingArguments { definition: name, signature, takes: takes(definition), found, missing, is_of_joint }
 }
 
 pub(crate) fn unknown_argument(definition: &Definition, name: &Ident) -> ArityFact {

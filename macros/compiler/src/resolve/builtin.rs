@@ -2,8 +2,9 @@
 
 use super::Function as Numbered;
 use super::elaborate::Elaborator;
+use super::instance::only_elsewhere;
 use super::{Components, Name, Requirement};
-use crate::diag::{ArityFact, Fact, NameFact, Range, ValueFact, Wanted};
+use crate::diag::{ArityFact, Fact, NameFact, Range, Typed, ValueFact, Wanted};
 use crate::expr::spline::Table;
 use crate::expr::{Arena, Expr, Unary};
 use crate::library;
@@ -12,6 +13,14 @@ use crate::profile::{self, SEGMENTS, Valuer, table};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, ExpressionKind};
 use proc_macro2::Ident;
+
+/// True for a function of space, in the plane, or of the plane, in space.
+fn is_elsewhere(word: &str, ambient: Ambient) -> bool {
+    match ambient {
+        Ambient::Plane => super::space::BUILTINS.contains(&word),
+        Ambient::Space => ["perp", "direction"].contains(&word),
+    }
+}
 
 impl Elaborator<'_> {
     /// `function(arguments)`
@@ -33,11 +42,17 @@ impl Elaborator<'_> {
         if !is_bound && super::space::BUILTINS.contains(&name.to_string().as_str()) {
             return match self.names.ambient {
                 Ambient::Space => self.spatial_builtin(name, arguments, scope),
-                Ambient::Plane => self.refuse(name, ValueFact::OnlyInSpace { word: name.to_string() }),
+                Ambient::Plane => self.refuse(name, ValueFact::OnlyInSpace { word: name.to_string(), typed: None }),
             };
         }
         if !is_bound && !self.is_library_function(name) {
             let near = self.similar_function(name, scope);
+            if let Some(meant) =
+                near.as_ref().filter(|near| is_elsewhere(near, self.names.ambient) && !self.names.functions().any(|known| known == *near))
+            {
+                let typed = Typed { sort: "function", name: name.to_string() };
+                return self.refuse(name, only_elsewhere(meant.clone(), Some(typed), self.names.ambient));
+            }
             let is_force = library::find(&name.to_string(), self.names.ambient).map(|found| found.is_force);
             return self.refuse(name, NameFact::UnknownFunction { name: name.to_string(), near, is_force });
         }
@@ -67,6 +82,7 @@ impl Elaborator<'_> {
         let declared = scope.space.is_some().then(|| self.names.functions());
         let known = bound
             .chain(BUILTINS.iter().copied())
+            .chain(super::space::BUILTINS.iter().copied())
             .chain(profile::WORDS.iter().copied())
             .chain([super::speeds::RATE])
             .chain(library::functions())
@@ -87,7 +103,7 @@ impl Elaborator<'_> {
             return self.refuse(name, ArityFact::FunctionArity { name: word, wanted, found: arguments.len() });
         }
         match word.as_str() {
-            "perp" | "direction" if self.names.ambient == Ambient::Space => self.refuse(name, ValueFact::OnlyInPlane { word }),
+            _ if is_elsewhere(&word, self.names.ambient) => self.refuse(name, ValueFact::OnlyInPlane { word, typed: None }),
             "dot" | "cross" => self.product(&word, arguments, scope),
             "perp" | "unit" | "norm" | "direction" => self.of_vector(&word, &arguments[0], scope),
             "atan2" | "min" | "max" => self.of_two(range, &word, arguments, scope).map(Value::Scalar),

@@ -68,7 +68,7 @@ impl Elaborator<'_> {
         let Some(written) = &mark.zero else { return Some(None) };
         let zero = self.vector(written, scope)?.parts;
         let (Some(one), Some(two)) = (axis.in_space(), zero.in_space()) else {
-            return self.refuse(written.range, ValueFact::OnlyInSpace { word: "from".to_owned() });
+            return self.refuse(written.range, ValueFact::OnlyInSpace { word: "from".to_owned(), typed: None });
         };
         if !zero.iter().all(|part| self.is_fixed(*part)) {
             return self.refuse(written.range, ValueFact::NotFixed { place: "a point or an axis" });

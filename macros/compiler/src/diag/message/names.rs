@@ -131,6 +131,9 @@ impl Display for NameFact {
             {
                 write!(f, "no constraint is called `{name}`\nhelp: write `force name = {call};`")
             }
+            NameFact::UnknownConstraint { name, near: Some(near), .. } if crate::library::is_force(near) => {
+                write!(f, "no constraint is called `{name}`\nhelp: did you mean the force `{near}`? write `force name = {near}(…);`")
+            }
             NameFact::UnknownConstraint { name, near, home, known } => {
                 write!(f, "no constraint is called `{name}`{}", did_you_mean(near))?;
                 match home.filter(|_| near.is_none()) {
