@@ -152,7 +152,9 @@ pub use api::{
 };
 #[doc(hidden)]
 pub use dynamics::motion;
-pub use dynamics::{Balance, Constraints, Driven, Dynamics, Energy, Explicit, Integrator, Method, MotionSweep, Stiff, Stopped};
+pub use dynamics::{
+    Balance, Constraints, Driven, Dynamics, Energy, Explicit, Free, Integrator, Loaded, Method, MotionSweep, Stiff, Stopped,
+};
 #[cfg(feature = "certify")]
 pub use enclosure::{Certificate, Doubt, Enclosure, ErrorBound};
 pub use explain::Failure;

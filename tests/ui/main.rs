@@ -78,6 +78,20 @@ fn one_mistake_gives_one_error() {
     assert!(complaints.is_empty(), "{}", complaints.join("\n\n"));
 }
 
+/// What is said of a method that the declaration does not give, but for the place of the trait in the runtime, at which rustc ends.
+#[test]
+fn absent_methods_say_why() {
+    let rustc = Rustc::of_this_build();
+    let complaints = complaints(&cases("absent"), |case| {
+        let expected = std::fs::read_to_string(case.with_extension("stderr")).unwrap_or_else(|error| panic!("{}: {error}", case.display()));
+        let Err(found) = rustc.compile(case) else { return Some(format!("{} is accepted", case.display())) };
+        let said: Vec<&str> = plain(&found).into_iter().take_while(|line| !line.starts_with("note: the trait `reuleaux::")).collect();
+        let errors = found.lines().filter(|line| line.starts_with("error[")).count();
+        (errors != 1 || plain(&expected) != said).then(|| format!("{}\nexpected:\n{expected}\nfound:\n{found}", case.display()))
+    });
+    assert!(complaints.is_empty(), "{}", complaints.join("\n\n"));
+}
+
 #[test]
 fn what_is_accepted_runs() {
     let rustc = Rustc::of_this_build();

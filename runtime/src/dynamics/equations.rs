@@ -94,6 +94,32 @@ pub trait Dynamics<T: Scalar, const N: usize, const I: usize, const M: usize, co
 )]
 pub trait Driven {}
 
+/// A mechanism with masses or forces. No mechanism without them is one.
+#[doc(hidden)]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no mass and no force: nothing loads its joints and drives",
+    note = "write `mass = …;` in its bodies, or `force name = …;` beside them"
+)]
+pub trait Loaded {
+    /// What is asked for.
+    type Loads;
+    /// Never called.
+    fn asked_for(&self) -> Self::Loads;
+}
+
+/// A mechanism with freedoms. No mechanism that drives determine is one.
+#[doc(hidden)]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no freedom: drives say where it is at each instant, and nothing is integrated",
+    note = "write `solve(0.0)` for the state at t = 0, and `advance` or `sweep` without an integrator; a `freedom` in place of a drive makes it follow from forces"
+)]
+pub trait Free {
+    /// What is asked for.
+    type State;
+    /// Never called.
+    fn asked_for(&self) -> Self::State;
+}
+
 /// Equations between positions and between speeds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constraints<T, const M: usize, const I: usize> {

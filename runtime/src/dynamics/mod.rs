@@ -36,7 +36,7 @@ mod stopped;
 mod sweep;
 mod tableau;
 
-pub use equations::{Balance, Constraints, Driven, Dynamics, Energy};
+pub use equations::{Balance, Constraints, Driven, Dynamics, Energy, Free, Loaded};
 pub use explicit::Explicit;
 pub use integrator::Integrator;
 pub use method::Method;

@@ -11,6 +11,47 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 impl Emitter<'_> {
+    /// Methods that a mechanism without freedoms, or without masses and forces, does not have. They say so where they are called, and give
+    /// way to outputs of their names.
+    pub(super) fn absent(&self) -> TokenStream {
+        if !self.model.task.is_solved() {
+            return quote!();
+        }
+        let (name, state, allowed) = (&self.model.name, state_path(&self.model.name), allowed());
+        let is_output = |word: &str| self.model.methods.iter().any(|method| method.name == word);
+        let of_loads = ["loads", "energy"].into_iter().filter(|word| self.plan.loads.is_none() && !is_output(word));
+        let of_loads = of_loads.map(|word| {
+            let word = format_ident!("{word}");
+            quote! {
+                #[doc(hidden)]
+                pub fn #word(&self, _state: &#state<T>) -> <Self as ::reuleaux::Loaded>::Loads
+                where
+                    Self: ::reuleaux::Loaded,
+                {
+                    ::reuleaux::Loaded::asked_for(self)
+                }
+            }
+        });
+        let initial = (!is_output("initial_state")).then(|| {
+            quote! {
+                #[doc(hidden)]
+                pub fn initial_state(&self) -> <Self as ::reuleaux::Free>::State
+                where
+                    Self: ::reuleaux::Free,
+                {
+                    ::reuleaux::Free::asked_for(self)
+                }
+            }
+        });
+        quote! {
+            #allowed
+            impl<T: ::reuleaux::Real> #name<T> {
+                #(#of_loads)*
+                #initial
+            }
+        }
+    }
+
     /// The method `loads` and its type; nothing without masses and forces.
     pub(super) fn loads(&self) -> TokenStream {
         let Some(code) = &self.plan.loads else { return quote!() };

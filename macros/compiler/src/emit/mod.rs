@@ -74,7 +74,7 @@ pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: 
     let warnings = of_motion.chain(&motion.undercut).chain(&model.doubts).map(Warning::to_tokens);
     let state = (model.task.is_determined() || !model.outputs.is_empty()).then(|| state(model, system));
     let (drawable, listing, points, dynamics) = (emitter.drawable(), emitter.listing(), emitter.points(), emitter.dynamics());
-    let (name, allowed, loads) = (&model.name, allowed(), emitter.loads());
+    let (name, allowed, loads, absent) = (&model.name, allowed(), emitter.loads(), emitter.absent());
     quote! {
         #default
         #allowed
@@ -95,6 +95,7 @@ pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: 
         #stages
         #state
         #loads
+        #absent
         #dynamics
         #slices
         #drawable
