@@ -101,10 +101,10 @@ pub trait Driven {}
     note = "write `mass = …;` in its bodies, or `force name = …;` beside them"
 )]
 pub trait Loaded {
-    /// What is asked for.
-    type Loads;
+    /// Loads or energies.
+    type Asked;
     /// Never called.
-    fn asked_for(&self) -> Self::Loads;
+    fn asked_for(&self) -> Self::Asked;
 }
 
 /// A mechanism with freedoms. No mechanism that drives determine is one.
@@ -114,10 +114,31 @@ pub trait Loaded {
     note = "write `solve(0.0)` for the state at t = 0, and `advance` or `sweep` without an integrator; a `freedom` in place of a drive makes it follow from forces"
 )]
 pub trait Free {
-    /// What is asked for.
-    type State;
+    /// A state.
+    type Asked;
     /// Never called.
-    fn asked_for(&self) -> Self::State;
+    fn asked_for(&self) -> Self::Asked;
+}
+
+/// Methods that a mechanism does not have, such as `loads(state) of Loaded`: they are there for the message, and never callable.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! absent {
+    ($name:ident: $($method:ident($($state:ident)?) of $what:ident),*) => {
+        #[allow(dead_code)]
+        impl<T: $crate::Real> $name<T> {
+            $(
+                #[doc(hidden)]
+                pub fn $method(&self $(, $state: &impl Sized)?) -> <Self as $crate::$what>::Asked
+                where
+                    Self: $crate::$what,
+                {
+                    $(let _ = $state;)?
+                    $crate::$what::asked_for(self)
+                }
+            )*
+        }
+    };
 }
 
 /// Equations between positions and between speeds.

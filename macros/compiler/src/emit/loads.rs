@@ -17,39 +17,14 @@ impl Emitter<'_> {
         if !self.model.task.is_solved() {
             return quote!();
         }
-        let (name, state, allowed) = (&self.model.name, state_path(&self.model.name), allowed());
-        let is_output = |word: &str| self.model.methods.iter().any(|method| method.name == word);
-        let of_loads = ["loads", "energy"].into_iter().filter(|word| self.plan.loads.is_none() && !is_output(word));
-        let of_loads = of_loads.map(|word| {
-            let word = format_ident!("{word}");
-            quote! {
-                #[doc(hidden)]
-                pub fn #word(&self, _state: &#state<T>) -> <Self as ::reuleaux::Loaded>::Loads
-                where
-                    Self: ::reuleaux::Loaded,
-                {
-                    ::reuleaux::Loaded::asked_for(self)
-                }
-            }
-        });
-        let initial = (!is_output("initial_state")).then(|| {
-            quote! {
-                #[doc(hidden)]
-                pub fn initial_state(&self) -> <Self as ::reuleaux::Free>::State
-                where
-                    Self: ::reuleaux::Free,
-                {
-                    ::reuleaux::Free::asked_for(self)
-                }
-            }
-        });
-        quote! {
-            #allowed
-            impl<T: ::reuleaux::Real> #name<T> {
-                #(#of_loads)*
-                #initial
-            }
-        }
+        let name = &self.model.name;
+        let is_free = |word: &str| !self.model.methods.iter().any(|method| method.name == word);
+        let of_loads = ["loads", "energy"].into_iter().filter(|word| self.plan.loads.is_none() && is_free(word));
+        let of_loads = of_loads.map(|word| (word, quote!((state) of Loaded)));
+        let of_motion = is_free("initial_state").then(|| ("initial_state", quote!(() of Free)));
+        let (words, rest): (Vec<Ident>, Vec<TokenStream>) =
+            of_loads.chain(of_motion).map(|(word, rest)| (Ident::new(word, Span::call_site()), rest)).unzip();
+        quote!(::reuleaux::absent! { #name: #(#words #rest),* })
     }
 
     /// The method `loads` and its type; nothing without masses and forces.
