@@ -111,7 +111,8 @@ pub trait Loaded {
 #[doc(hidden)]
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no freedom: drives say where it is at each instant, and nothing is integrated",
-    note = "write `solve(0.0)` for the state at t = 0, and `advance` or `sweep` without an integrator; a `freedom` in place of a drive makes it follow from forces"
+    note = "write `solve(0.0)` for the state at t = 0, and `advance` or `sweep` without an integrator",
+    note = "a `freedom` in place of a drive makes its motion follow from forces"
 )]
 pub trait Free {
     /// A state.
