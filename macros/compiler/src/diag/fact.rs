@@ -143,7 +143,7 @@ pub enum NameFact {
     AngleOfBody { body: String, joint: Option<String> },
     UnknownFunction { name: String, near: Option<String>, is_force: Option<bool> },
     UnknownShape { name: String, near: Option<String>, known: Vec<&'static str> },
-    UnknownConstraint { name: String, near: Option<String>, home: Option<Home>, known: Known },
+    UnknownConstraint { name: String, near: Option<String>, is_force: bool, home: Option<Home>, known: Known },
     UnknownUnit { number: String, name: String, near: Option<String> },
     UnknownDimension { name: String, near: Option<String> },
     UnknownStart { name: String, near: Option<String>, in_space: bool },
@@ -410,5 +410,15 @@ impl Bound {
     /// Missing length, in m.
     pub(crate) fn missing(&self) -> f64 {
         self.span.1 - self.ways.iter().map(|(_, length)| length).sum::<f64>()
+    }
+}
+
+impl ValueFact {
+    /// The word exists in the other world, in space for a mechanism in the plane; `typed` is what was typed for it.
+    pub(crate) fn only_elsewhere(word: String, typed: Option<Typed>, ambient: Ambient) -> ValueFact {
+        match ambient {
+            Ambient::Plane => ValueFact::OnlyInSpace { word, typed },
+            Ambient::Space => ValueFact::OnlyInPlane { word, typed },
+        }
     }
 }

@@ -91,6 +91,12 @@ pub(crate) fn unknown_argument(definition: &Definition, name: &Ident) -> ArityFa
     ArityFact::UnknownArgument { definition: definition.name.to_string(), name: name.to_string(), signature: signature(definition), near }
 }
 
+/// True for what acts between two bodies, or in space between two axes: a hinge may be named in their place.
+pub(crate) fn is_between(definition: &Definition) -> bool {
+    let kinds: Vec<&FormalKind> = definition.parameters.iter().take(2).map(|formal| &formal.kind).collect();
+    matches!(kinds.as_slice(), [FormalKind::Body, FormalKind::Body] | [FormalKind::Axis, FormalKind::Axis])
+}
+
 /// True if a value can be an argument for a parameter of this kind.
 pub(crate) fn fits(arena: &Arena, kind: &FormalKind, value: &Value) -> bool {
     let is_of = |measure: InferredDim, is_length: bool| measure == InferredDim::Any || measure.fits(Dim::LENGTH) == is_length;

@@ -3,12 +3,12 @@
 use super::Name;
 use super::elaborate::Elaborator;
 use super::statement::ScalarEquation;
-use crate::diag::{ArityFact, ArrayFact, EquationFact, Kind, Known, MotionFact, NameFact, Range, Typed, ValueFact, home, stem};
+use crate::diag::{ArityFact, ArrayFact, EquationFact, Kind, MotionFact, Range, ValueFact};
 use crate::expr::Leaf;
 use crate::library;
 use crate::names::{
-    Context, EntityId, Fixed, FrameId, FunctionValue, Instance, Scalar, Scope, Sort, SpaceId, Timeless, Value, places, too_few, too_many,
-    unknown_argument, wanted,
+    Context, EntityId, Fixed, FrameId, FunctionValue, Instance, Scalar, Scope, Timeless, Value, is_between, nearest_kind, places, too_few,
+    too_many, unknown_argument, unknown_kind, wanted,
 };
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Argument, Definition, Formal, FormalKind, JointBody};
@@ -109,31 +109,19 @@ impl Elaborator<'_> {
             return self.refuse(kind, ArrayFact::ComponentAsConstraint { name: word });
         }
         if library::is_elsewhere(&word, self.names.ambient) {
-            return self.refuse(kind, only_elsewhere(word, None, self.names.ambient));
+            return self.refuse(kind, ValueFact::only_elsewhere(word, None, self.names.ambient));
         }
         let own = self.names.definitions.keys().map(String::as_str);
         if self.applied.is_some() {
             let laws: Vec<String> = own.chain(library::forces(self.names.ambient)).map(str::to_owned).collect();
-            let near = self.nearest_kind(&word, &laws.iter().map(String::as_str).collect::<Vec<_>>());
+            let near = nearest_kind(&word, &laws.iter().map(String::as_str).collect::<Vec<_>>(), |word, known| {
+                self.nearest(word, known.iter().copied())
+            });
             return self.refuse(kind, MotionFact::UnknownForce { name: word, near, laws, ambient: self.names.ambient });
         }
         let here: Vec<&str> = own.chain(library::constraints(self.names.ambient)).chain(library::forces(self.names.ambient)).collect();
-        let home = home(&word, self.names.ambient).or_else(|| home(&stem(&word), self.names.ambient));
-        // A word of the other world is meant only where this one has no equivalent of it and none that is as near.
-        let elsewhere = library::elsewhere(self.names.ambient).filter(|_| home.is_none());
-        let near = self.nearest_kind(&word, &here.iter().copied().chain(elsewhere).collect::<Vec<_>>());
-        if let Some(meant) = near.as_ref().filter(|near| !here.contains(&near.as_str())) {
-            let typed = Typed { sort: "constraint", name: word };
-            return self.refuse(kind, only_elsewhere(meant.clone(), Some(typed), self.names.ambient));
-        }
-        let known = Known::of(library::constraints(self.names.ambient));
-        self.refuse(kind, NameFact::UnknownConstraint { name: word, near, home, known })
-    }
-
-    /// Known kind nearest to a mistyped one, also where that has words of another program about it.
-    fn nearest_kind(&self, word: &str, known: &[&str]) -> Option<String> {
-        let near = |word: &str| self.nearest(word, known.iter().copied());
-        near(word).or_else(|| near(&stem(word)).filter(|_| stem(word) != word))
+        let fact = unknown_kind(word, &here, self.names.ambient, |word, known| self.nearest(word, known.iter().copied()));
+        self.refuse(kind, fact)
     }
 
     /// Constraint with this name, imported or of the library; a library page is parsed once.
@@ -209,24 +197,8 @@ impl Elaborator<'_> {
         }
         let missing = wanted.iter().zip(&slots).filter(|(formal, slot)| slot.is_none() && formal.default.is_none());
         let missing: Vec<String> = missing.map(|(formal, _)| formal.name.to_string()).collect();
-        if missing.is_empty() {
-            return Some(slots);
-        }
-        // A hinge is named in place of its two bodies, or in space of its two axes.
-        let is_between = matches!(
-            wanted.as_slice(),
-            [Formal { kind: FormalKind::Body, .. }, Formal { kind: FormalKind::Body, .. }, ..]
-                | [Formal { kind: FormalKind::Axis, .. }, Formal { kind: FormalKind::Axis, .. }, ..]
-        );
-        let is_of_joint = is_between && given.first().is_some_and(|first| self.is_joint(&first.value));
-        self.refuse(kind, too_few(definition, given.len(), missing, is_of_joint))
-    }
-
-    /// True for the name of a joint of the mechanism.
-    fn is_joint(&self, written: &ast::Expression) -> bool {
-        let ast::ExpressionKind::Path(path) = &written.kind else { return false };
-        let group = path.name.as_ref().and_then(|name| self.names.visible(SpaceId::MECHANISM, &name.to_string()));
-        group.is_some_and(|group| self.names.group(group).sort == Sort::Joint)
+        let is_of_joint = is_between(definition) && given.first().is_some_and(|first| self.names.is_joint(&first.value));
+        if missing.is_empty() { Some(slots) } else { self.refuse(kind, too_few(definition, given.len(), missing, is_of_joint)) }
     }
 
     /// Evaluates an argument and checks its kind.
@@ -347,13 +319,5 @@ impl Elaborator<'_> {
             FunctionValue::Numbered { number, .. } => FunctionValue::Numbered { number, from, to },
             written => written,
         })
-    }
-}
-
-/// The word exists in the other world, in space for a mechanism in the plane; `typed` is what was typed for it.
-pub(super) fn only_elsewhere(word: String, typed: Option<Typed>, ambient: Ambient) -> ValueFact {
-    match ambient {
-        Ambient::Plane => ValueFact::OnlyInSpace { word, typed },
-        Ambient::Space => ValueFact::OnlyInPlane { word, typed },
     }
 }

@@ -20,9 +20,6 @@ use crate::quantity::{Dim, InferredDim, Role};
 use crate::syntax::ast::{self, Statement};
 use proc_macro2::Ident;
 
-/// Built-in functions of space.
-pub(crate) const BUILTINS: &[&str] = &["across", "along", "joint_angle", "misalignment", "turn", "x_axis", "y_axis", "z_axis"];
-
 /// Properties of expressions while a mechanism is resolved.
 #[derive(Default)]
 pub(super) struct Notes {
