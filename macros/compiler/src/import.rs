@@ -50,7 +50,7 @@ pub(crate) fn imported(known: TokenStream, ambient: Ambient, diag: &mut Diag) ->
             let word = if is_named && is_single { name.to_string() } else { own };
             let text = tokens.to_string();
             if defined.ambient().is_some_and(|of| of != ambient) {
-                diag.refuse::<()>(&name, elsewhere(ambient, word));
+                diag.refuse::<()>(&name, ValueFact::only_elsewhere(word, None, ambient));
                 break;
             }
             if let Defined::Component(component) = &mut defined {
@@ -74,14 +74,6 @@ pub(crate) fn imported(known: TokenStream, ambient: Ambient, diag: &mut Diag) ->
         }
     }
     all
-}
-
-/// The fact that a definition is not for mechanisms in the plane, or not for those in space.
-fn elsewhere(ambient: Ambient, word: String) -> ValueFact {
-    match ambient {
-        Ambient::Plane => ValueFact::OnlyInSpace { word },
-        Ambient::Space => ValueFact::OnlyInPlane { word },
-    }
 }
 
 impl Import {

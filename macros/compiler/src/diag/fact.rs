@@ -143,7 +143,7 @@ pub enum NameFact {
     AngleOfBody { body: String, joint: Option<String> },
     UnknownFunction { name: String, near: Option<String>, is_force: Option<bool> },
     UnknownShape { name: String, near: Option<String>, known: Vec<&'static str> },
-    UnknownConstraint { name: String, near: Option<String>, home: Option<Home>, known: Known },
+    UnknownConstraint { name: String, near: Option<String>, is_force: bool, home: Option<Home>, known: Known },
     UnknownUnit { number: String, name: String, near: Option<String> },
     UnknownDimension { name: String, near: Option<String> },
     UnknownStart { name: String, near: Option<String>, in_space: bool },
@@ -166,7 +166,7 @@ pub enum NameFact {
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
 pub enum ArityFact {
     TooManyArguments { definition: String, signature: String, takes: [usize; 2], found: usize },
-    MissingArguments { definition: String, signature: String, takes: [usize; 2], found: usize, missing: Vec<String> },
+    MissingArguments { definition: String, signature: String, takes: [usize; 2], found: usize, missing: Vec<String>, is_of_joint: bool },
     MissingAxes { definition: String, signature: String, missing: Vec<String>, instead: String, without: Vec<String> },
     UnknownArgument { definition: String, name: String, signature: String, near: Option<String> },
     DuplicateArgument { name: String, is_also_in_order: bool },
@@ -199,8 +199,8 @@ pub enum ValueFact {
     NotTwoComponents { found: usize, meant: Option<String> },
     NotThreeComponents { found: usize, meant: Option<String> },
     MeansSpace { name: String },
-    OnlyInSpace { word: String },
-    OnlyInPlane { word: String },
+    OnlyInSpace { word: String, typed: Option<Typed> },
+    OnlyInPlane { word: String, typed: Option<Typed> },
     AlongItsAxis { name: String },
     VectorAndNumber { in_space: bool },
     VectorTimesVector,
@@ -340,6 +340,15 @@ pub enum AssemblyFact {
     },
 }
 
+/// A name that is not known, beside one that is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Typed {
+    /// `constraint` or `function`.
+    pub sort: &'static str,
+    /// The name as it was typed.
+    pub name: String,
+}
+
 /// Known names: the first few, and how many there are in all.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Known {
@@ -402,5 +411,15 @@ impl Bound {
     /// Missing length, in m.
     pub(crate) fn missing(&self) -> f64 {
         self.span.1 - self.ways.iter().map(|(_, length)| length).sum::<f64>()
+    }
+}
+
+impl ValueFact {
+    /// The word exists in the other world, in space for a mechanism in the plane; `typed` is what was typed for it.
+    pub(crate) fn only_elsewhere(word: String, typed: Option<Typed>, ambient: Ambient) -> ValueFact {
+        match ambient {
+            Ambient::Plane => ValueFact::OnlyInSpace { word, typed },
+            Ambient::Space => ValueFact::OnlyInPlane { word, typed },
+        }
     }
 }

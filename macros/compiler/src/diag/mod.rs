@@ -17,14 +17,14 @@ mod warning;
 pub use code::PAGES;
 pub use fact::{
     ArityFact, ArrayFact, AssemblyFact, Bound, Count, Demand, Driven, EquationFact, Fact, Forgotten, Gap, GrammarFact, JerkObstacle,
-    JointValue, Known, MotionFact, NameFact, NoPosition, SystemFact, ValueFact, Word,
+    JointValue, Known, MotionFact, NameFact, NoPosition, SystemFact, Typed, ValueFact, Word,
 };
 pub use home::Home;
 pub(crate) use home::home;
 pub use kind::{Kind, Wanted};
 pub(crate) use message::{degrees, millimetres, significant};
 pub(crate) use remedy::quantity;
-pub(crate) use suggest::{nearest, nearest_unit, usual_dimension};
+pub(crate) use suggest::{nearest, nearest_unit, stem, usual_dimension};
 pub(crate) use warning::of_unused;
 pub use warning::{AngleOf, Doubt, Warning};
 

@@ -59,6 +59,48 @@ pub(super) fn about_an_axis(definition: &str, found: &Kind) -> Option<&'static s
     }
 }
 
+/// What takes the place of a word of space in the plane, as the end of a sentence.
+pub(super) fn in_plane(word: &str) -> &'static str {
+    match word {
+        "spherical" | "universal" | "constant_velocity" => "in the plane `revolute(P, Q)`",
+        "cylindrical" | "screw" => "in the plane `translational(u, P, Q)`",
+        "drive_rotation" | "drive_orientation" => "in the plane `drive_angle(body, law)`",
+        "drive_translation" => "in the plane `drive_along(guide, law)`",
+        "point_on_plane" => "in the plane `point_on_line(P, u, Q)`",
+        "parallel_axes" => "in the plane `parallel(i, j)`",
+        "perpendicular_axes" => "in the plane `relative_angle(i, j, 90deg)`",
+        "absolute_orientation" => "in the plane `absolute_angle(b, c)`",
+        "rolling_disk" | "rolling_ball" => "in the plane an equation, `{ wheel.x == -radius * wheel.angle; }`",
+        "knife_edge" => "in the plane an equation, `{ cross(blade.edge, rate(blade.position)) == 0m_s; }`",
+        "gear_joint" => "in the plane `gear_pair(i, j, a, b)`",
+        "rack_and_pinion_joint" | "guided_rack_and_pinion_joint" => "in the plane `rack_pinion(pinion, rack, u, origin, R)`",
+        "differential_joint" | "differential_joint_on_bearings" => "in the plane `differential(i, j, k)`",
+        "along" | "across" => "in the plane `dot(u, v)` and `cross(u, v)`",
+        "joint_angle" => "in the plane a difference of angles, `b.angle - a.angle`",
+        "x_axis" | "y_axis" | "z_axis" => "in the plane `unit(u)` of an axis and `perp(unit(u))`",
+        _ => "leave it out in the plane",
+    }
+}
+
+/// What takes the place of a word of the plane in space.
+pub(super) fn in_space(word: &str) -> &'static str {
+    match word {
+        "perp" => "`cross(axis, v)`",
+        "direction" => "`joint.angle`, or `atan2` of two dot products",
+        "drive_angle" | "drive_relative_angle" => "`drive_rotation(joint, law)`",
+        "drive_along" => "`drive_translation(joint, law)`",
+        "absolute_angle" | "relative_angle" | "parallel" => "an equation of `joint.angle`, or `absolute_orientation(a, b)`",
+        "revolute_translational" => "`point_on_plane(P, a, Q, offset)`",
+        "absolute_distance" => "`distance(P, Q, c)`",
+        "involute_mesh" => "`gear_pair(one, two, a, b)` of the angles of two joints, without the force between the teeth",
+        "cam_knife" | "cam_roller" | "cam_flat" => {
+            "the motion of the follower over the cam's angle, `{ guide.displacement == lift(shaft.angle); }`"
+        }
+        _ if word.starts_with(char::is_uppercase) => "a component of your own",
+        _ => "an equation of your own",
+    }
+}
+
 /// For two values that cannot be equated.
 pub(super) fn of_equation(one: &Kind, two: &Kind, ambient: Ambient) -> &'static str {
     let is_directed = |kind: &Kind| matches!(kind, Kind::Point | Kind::Vector | Kind::Axis);
@@ -84,7 +126,6 @@ pub(super) fn of_dimension(wanted: Dim, found: Dim) -> &'static str {
     match (wanted, found) {
         (Dim::NUMBER, Dim::TIME) => "\nhelp: divide it by a time, as in `t / 1s`",
         (_, found) if found.is_of_time() => of_dimensions(wanted, found),
-        (Dim::STIFFNESS, Dim::FORCE) => "\nhelp: a stiffness is a force by a length, such as `20N_m` or `20N / 10mm`",
         (Dim::INERTIA, Dim::MASS) => {
             "\nhelp: an inertia is a mass by the square of a length, such as `0.003kgm2`, or that of a shape, such as `rod(1m)`"
         }
@@ -94,9 +135,6 @@ pub(super) fn of_dimension(wanted: Dim, found: Dim) -> &'static str {
         }
         (Dim::TORQUE, Dim::FORCE) => "\nhelp: a torque is a force times an arm, such as `5Nm`; a force is written `at point: (0N, -5N);`",
         (Dim::FORCE, Dim::TORQUE) => "\nhelp: a torque is written `on body: 5Nm;`, without a point",
-        (wanted, Dim::TORQUE) if wanted == Dim::TORQUE.times(Dim::TIME).per(Dim::ANGLE) => {
-            "\nhelp: it is a torque by a speed, such as `0.02Nms_rad`"
-        }
         (wanted, found) if wanted == Dim::MASS.per(Dim::LENGTH) && found == Dim::FORCE.times(Dim::TIME).per(Dim::LENGTH) => {
             "\nhelp: a drag grows with the square of the speed; what grows with the speed is a `damper`"
         }
@@ -108,6 +146,19 @@ pub(super) fn of_dimension(wanted: Dim, found: Dim) -> &'static str {
         }
         (wanted, Dim::ANGLE) if wanted.times(Dim::TIME) == found => "\nhelp: write a rate, such as `2rad_s`",
         (wanted, Dim::LENGTH) if wanted.times(Dim::TIME) == found => "\nhelp: write a rate, such as `2mm_s`",
+        (wanted, _) => example(wanted),
+    }
+}
+
+/// A quantity of a dimension whose unit is not the one that comes to mind.
+fn example(wanted: Dim) -> &'static str {
+    match wanted {
+        Dim::STIFFNESS => "\nhelp: a stiffness is a force by a length, such as `20N_m` or `20N / 10mm`",
+        Dim::ACCELERATION => "\nhelp: an acceleration is written such as `9.81m_s2`",
+        Dim::INERTIA => "\nhelp: an inertia is written such as `0.003kgm2`, or is that of a shape, such as `rod(1m)`",
+        wanted if wanted == Dim::FORCE.times(Dim::TIME).per(Dim::LENGTH) => "\nhelp: a damping is a force by a speed, such as `200Ns_m`",
+        wanted if wanted == Dim::TORQUE.per(Dim::ANGLE) => "\nhelp: a stiffness of turning is a torque by an angle, such as `5Nm_rad`",
+        wanted if wanted == Dim::TORQUE.times(Dim::TIME).per(Dim::ANGLE) => "\nhelp: it is a torque by a speed, such as `0.02Nms_rad`",
         _ => "",
     }
 }

@@ -5,8 +5,11 @@ use crate::quantity::{unit, units};
 /// Longest name that gets a suggestion; a longer one was not typed by a person.
 const LONGEST: usize = 60;
 
+/// Words that other programs add to the names of joints and forces.
+const ADDED: [&str; 9] = ["joint", "joints", "constraint", "force", "object", "connector", "mate", "element", "pair"];
+
 /// Words of the language with their synonyms elsewhere.
-const SYNONYMS: [(&str, &[&str]); 69] = [
+const SYNONYMS: [(&str, &[&str]); 77] = [
     ("body", &["link", "bar", "rigid", "member", "bodie"]),
     ("ground", &["frame", "base", "world", "fixed"]),
     ("param", &["parameter", "var", "variable"]),
@@ -27,6 +30,13 @@ const SYNONYMS: [(&str, &[&str]); 69] = [
     ("damping", &["c", "d"]),
     ("center", &["centre", "com", "cog", "centroid", "center_of_mass", "centre_of_mass"]),
     ("inertia", &["moment_of_inertia"]),
+    ("rolling_disk", &["rolling_disc", "rolling_wheel", "wheel_contact"]),
+    ("rolling_ball", &["rolling_sphere"]),
+    ("knife_edge", &["skate", "blade"]),
+    ("screw", &["lead_screw", "ball_screw", "helical", "helix"]),
+    ("point_on_line", &["pin_slot", "pin_in_slot", "inline", "in_line", "point_on_axis"]),
+    ("point_on_plane", &["in_plane", "inplane"]),
+    ("perpendicular_axes", &["perpendicular"]),
     ("point", &["marker", "vertex", "location"]),
     ("axis", &["direction", "vector"]),
     ("spherical", &["ball", "ball_joint", "globe"]),
@@ -34,11 +44,11 @@ const SYNONYMS: [(&str, &[&str]); 69] = [
     ("constant_velocity", &["homokinetic", "rzeppa", "cv_joint", "convel"]),
     ("cylindrical", &["cylinder"]),
     ("drive_rotation", &["rotation_driver", "drive_rotate"]),
-    ("revolute", &["pin", "hinge", "pivot", "rotary", "rotational"]),
-    ("translational", &["prismatic", "slider", "slide", "linear", "sliding"]),
-    ("weld", &["rigid", "fixed", "fix", "clamp"]),
+    ("revolute", &["continuous", "concentric", "coincident", "turning", "pin", "hinge", "pivot", "rotary", "rotational"]),
+    ("translational", &["linear_guide", "linear_bearing", "prismatic", "slider", "slide", "linear", "sliding"]),
+    ("weld", &["lock", "bonded", "rigid", "fixed", "fix", "clamp"]),
     ("drive_relative_angle", &["motor", "actuator", "servo"]),
-    ("gear_pair", &["gear", "gears", "spur"]),
+    ("gear_pair", &["bevel_gear", "bevel_gears", "worm_gear", "worm", "common_gear", "coupler", "gear", "gears", "spur"]),
     ("involute_mesh", &["gear_mesh", "gears_mesh", "spur_gears", "spur_gear", "involute", "involute_gears", "teeth", "tooth"]),
     ("rack_pinion", &["rack", "pinion"]),
     ("m", &["meter", "meters", "metre", "metres"]),
@@ -54,7 +64,8 @@ const SYNONYMS: [(&str, &[&str]); 69] = [
     ("min", &["minute", "minutes"]),
     ("h", &["hour", "hours", "hr"]),
     ("t", &["time"]),
-    ("spring", &["compression_spring", "tension_spring", "extension_spring", "coil_spring"]),
+    ("spring_damper", &["spring_damper_parallel", "linear_spring_damper"]),
+    ("spring", &["linear_spring", "compression_spring", "tension_spring", "extension_spring", "coil_spring"]),
     ("motor", &["torque", "moment", "drive_torque", "servo"]),
     ("actuator", &["force", "thrust", "drive_force"]),
     ("torsion_spring", &["rotational_spring", "rotary_spring", "torsional_spring", "angular_spring"]),
@@ -122,6 +133,19 @@ pub(crate) fn nearest<'a>(typed: &str, known: impl Iterator<Item = &'a str>) -> 
     });
     // Of equally near names the first declared one is taken, so that messages are the same on every run.
     scored.min_by_key(|(score, _)| *score).map(|(_, name)| name.to_owned())
+}
+
+/// The name of a kind without the words that other programs add to it: `revolute` for `RevoluteJoint` and `ObjectJointRevolute2D`.
+pub(crate) fn stem(name: &str) -> String {
+    let mut apart = String::new();
+    for letter in name.trim_end_matches("2D").trim_end_matches("3D").chars() {
+        if letter.is_uppercase() && !apart.is_empty() && !apart.ends_with('_') {
+            apart.push('_');
+        }
+        apart.extend(letter.to_lowercase());
+    }
+    let words: Vec<&str> = apart.split('_').filter(|word| !word.is_empty() && !ADDED.contains(word)).collect();
+    if words.is_empty() { name.to_owned() } else { words.join("_") }
 }
 
 /// Unit nearest to a mistyped one; a letter typed twice is the most likely error.

@@ -166,6 +166,12 @@ pub(crate) fn is_elsewhere(name: &str, ambient: Ambient) -> bool {
     !has(ambient) && (has(Ambient::Plane) || has(Ambient::Space))
 }
 
+/// The constraints that exist in space alone, for the plane, or in the plane alone, for space.
+pub(crate) fn elsewhere<'a>(ambient: Ambient) -> impl Iterator<Item = &'a str> {
+    let other = if ambient == Ambient::Plane { Ambient::Space } else { Ambient::Plane };
+    constraints(other).filter(move |name| is_elsewhere(name, ambient))
+}
+
 /// The names of all forces of the library that can be used in the plane, or in space.
 pub fn forces<'a>(ambient: Ambient) -> impl Iterator<Item = &'a str> {
     forces_of(ambient).map(|(name, _)| name)
@@ -223,13 +229,17 @@ pub(crate) fn find(name: &str, ambient: Ambient) -> Option<Rc<Definition>> {
     syntax::parse_exported(tokens, &mut Diag::default())?.into_iter().next().map(|handed| Rc::new(handed.defined.head().clone()))
 }
 
+/// True for a force of the library, in the plane or in space.
+pub(crate) fn is_force(name: &str) -> bool {
+    [Ambient::Plane, Ambient::Space].into_iter().any(|ambient| forces(ambient).any(|known| known == name))
+}
+
 /// A joint, drive, force or freedom of this kind, as in "a `revolute` joint".
 pub(crate) fn described(kind: &str) -> String {
-    let is_force = [Ambient::Plane, Ambient::Space].into_iter().any(|ambient| forces(ambient).any(|known| known == kind));
     match kind {
         "energy" => "an `energy`".to_owned(),
         "equation" => "a joint with an equation".to_owned(),
-        _ if is_force => format!("a `{kind}` force"),
+        _ if is_force(kind) => format!("a `{kind}` force"),
         _ if kind.starts_with("drive_") => format!("a `{kind}` drive"),
         _ => format!("a `{kind}` joint"),
     }

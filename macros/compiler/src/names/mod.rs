@@ -6,13 +6,15 @@
 //! its elements is a separate item.
 
 mod key;
+mod kind;
 mod scope;
 mod signature;
 mod value;
 
 pub(crate) use key::Key;
+pub(crate) use kind::{nearest_kind, unknown_kind};
 pub(crate) use scope::{Instance, Scope, Timeless};
-pub(crate) use signature::{fits, places, signature, too_few, too_many, unknown_argument, wanted};
+pub(crate) use signature::{fits, is_between, places, signature, too_few, too_many, unknown_argument, wanted};
 pub(crate) use value::{Arguments, Fixed, FrameId, FunctionValue, Scalar, Value, Vector};
 
 use crate::expr::Expr;
@@ -25,6 +27,17 @@ use std::rc::Rc;
 
 /// Names with a predefined meaning in expressions.
 pub(crate) const RESERVED: &[&str] = &["t", "pi", "ground"];
+
+/// Built-in functions of space.
+pub(crate) const SPATIAL_BUILTINS: &[&str] = &["across", "along", "joint_angle", "misalignment", "turn", "x_axis", "y_axis", "z_axis"];
+
+/// True for a function of space, in the plane, or of the plane, in space.
+pub(crate) fn is_elsewhere(word: &str, ambient: Ambient) -> bool {
+    match ambient {
+        Ambient::Plane => SPATIAL_BUILTINS.contains(&word),
+        Ambient::Space => ["perp", "direction"].contains(&word),
+    }
+}
 
 /// All built-in names, for suggestions and the language reference.
 pub(crate) const BUILTINS: &[&str] = &[
@@ -291,6 +304,13 @@ impl Names {
     pub(crate) fn visible(&self, space: SpaceId, word: &str) -> Option<GroupId> {
         let outer = (!self.spaces[space.0].is_closed).then_some(SpaceId::MECHANISM);
         self.find(space, word).or_else(|| self.find(outer?, word))
+    }
+
+    /// True for the name of a joint of the mechanism.
+    pub(crate) fn is_joint(&self, written: &ast::Expression) -> bool {
+        let ast::ExpressionKind::Path(path) = &written.kind else { return false };
+        let group = path.name.as_ref().and_then(|name| self.visible(SpaceId::MECHANISM, &name.to_string()));
+        group.is_some_and(|group| self.group(group).sort == Sort::Joint)
     }
 
     pub(crate) fn group(&self, group: GroupId) -> &NamedItems {

@@ -80,15 +80,21 @@ pub(crate) fn too_many(definition: &Definition, found: usize) -> ArityFact {
     }
 }
 
-pub(crate) fn too_few(definition: &Definition, found: usize, missing: Vec<String>) -> ArityFact {
+pub(crate) fn too_few(definition: &Definition, found: usize, missing: Vec<String>, is_of_joint: bool) -> ArityFact {
     let (name, signature) = (definition.name.to_string(), signature(definition));
-    ArityFact::MissingArguments { definition: name, signature, takes: takes(definition), found, missing }
+    ArityFact::MissingArguments { definition: name, signature, takes: takes(definition), found, missing, is_of_joint }
 }
 
 pub(crate) fn unknown_argument(definition: &Definition, name: &Ident) -> ArityFact {
     let names: Vec<String> = definition.parameters.iter().map(|formal| formal.name.to_string()).collect();
     let near = nearest(&name.to_string(), names.iter().map(String::as_str));
     ArityFact::UnknownArgument { definition: definition.name.to_string(), name: name.to_string(), signature: signature(definition), near }
+}
+
+/// True for what acts between two bodies, or in space between two axes: a hinge may be named in their place.
+pub(crate) fn is_between(definition: &Definition) -> bool {
+    let kinds: Vec<&FormalKind> = definition.parameters.iter().take(2).map(|formal| &formal.kind).collect();
+    matches!(kinds.as_slice(), [FormalKind::Body, FormalKind::Body] | [FormalKind::Axis, FormalKind::Axis])
 }
 
 /// True if a value can be an argument for a parameter of this kind.

@@ -3,11 +3,11 @@
 use super::Function as Numbered;
 use super::elaborate::Elaborator;
 use super::{Components, Name, Requirement};
-use crate::diag::{ArityFact, Fact, NameFact, Range, ValueFact, Wanted};
+use crate::diag::{ArityFact, Fact, NameFact, Range, Typed, ValueFact, Wanted};
 use crate::expr::spline::Table;
 use crate::expr::{Arena, Expr, Unary};
 use crate::library;
-use crate::names::{BUILTINS, Fixed, FunctionValue, Key, Scalar, Scope, Value, Vector};
+use crate::names::{BUILTINS, Fixed, FunctionValue, Key, SPATIAL_BUILTINS, Scalar, Scope, Value, Vector, is_elsewhere};
 use crate::profile::{self, SEGMENTS, Valuer, table};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, ExpressionKind};
@@ -30,14 +30,20 @@ impl Elaborator<'_> {
         if !is_bound && name == super::speeds::RATE {
             return self.rate(name, arguments, scope);
         }
-        if !is_bound && super::space::BUILTINS.contains(&name.to_string().as_str()) {
+        if !is_bound && SPATIAL_BUILTINS.contains(&name.to_string().as_str()) {
             return match self.names.ambient {
                 Ambient::Space => self.spatial_builtin(name, arguments, scope),
-                Ambient::Plane => self.refuse(name, ValueFact::OnlyInSpace { word: name.to_string() }),
+                Ambient::Plane => self.refuse(name, ValueFact::OnlyInSpace { word: name.to_string(), typed: None }),
             };
         }
         if !is_bound && !self.is_library_function(name) {
             let near = self.similar_function(name, scope);
+            if let Some(meant) =
+                near.as_ref().filter(|near| is_elsewhere(near, self.names.ambient) && !self.names.functions().any(|known| known == *near))
+            {
+                let typed = Typed { sort: "function", name: name.to_string() };
+                return self.refuse(name, ValueFact::only_elsewhere(meant.clone(), Some(typed), self.names.ambient));
+            }
             let is_force = library::find(&name.to_string(), self.names.ambient).map(|found| found.is_force);
             return self.refuse(name, NameFact::UnknownFunction { name: name.to_string(), near, is_force });
         }
@@ -58,7 +64,7 @@ impl Elaborator<'_> {
     /// True if there is a function of this name.
     pub(super) fn is_function(&self, name: &Ident, scope: &Scope) -> bool {
         let word = name.to_string();
-        let built_in = BUILTINS.iter().chain(super::space::BUILTINS.iter()).chain(profile::WORDS).chain([&super::speeds::RATE]);
+        let built_in = BUILTINS.iter().chain(SPATIAL_BUILTINS.iter()).chain(profile::WORDS).chain([&super::speeds::RATE]);
         self.is_bound_function(name, scope) || built_in.into_iter().any(|known| *known == word) || self.is_library_function(name)
     }
 
@@ -67,6 +73,7 @@ impl Elaborator<'_> {
         let declared = scope.space.is_some().then(|| self.names.functions());
         let known = bound
             .chain(BUILTINS.iter().copied())
+            .chain(SPATIAL_BUILTINS.iter().copied())
             .chain(profile::WORDS.iter().copied())
             .chain([super::speeds::RATE])
             .chain(library::functions())
@@ -87,7 +94,7 @@ impl Elaborator<'_> {
             return self.refuse(name, ArityFact::FunctionArity { name: word, wanted, found: arguments.len() });
         }
         match word.as_str() {
-            "perp" | "direction" if self.names.ambient == Ambient::Space => self.refuse(name, ValueFact::OnlyInPlane { word }),
+            _ if is_elsewhere(&word, self.names.ambient) => self.refuse(name, ValueFact::OnlyInPlane { word, typed: None }),
             "dot" | "cross" => self.product(&word, arguments, scope),
             "perp" | "unit" | "norm" | "direction" => self.of_vector(&word, &arguments[0], scope),
             "atan2" | "min" | "max" => self.of_two(range, &word, arguments, scope).map(Value::Scalar),

@@ -151,6 +151,7 @@ impl Elaborator<'_> {
                         NameFact::UnknownConstraint {
                             name: word,
                             near,
+                            is_force: false,
                             home: None,
                             known: Known::of(library::constraints(self.names.ambient)),
                         },

@@ -3,12 +3,12 @@
 use super::Name;
 use super::elaborate::Elaborator;
 use super::statement::ScalarEquation;
-use crate::diag::{ArityFact, ArrayFact, EquationFact, Kind, Known, MotionFact, NameFact, Range, ValueFact, home};
+use crate::diag::{ArityFact, ArrayFact, EquationFact, Kind, MotionFact, Range, ValueFact};
 use crate::expr::Leaf;
 use crate::library;
 use crate::names::{
-    Context, EntityId, Fixed, FrameId, FunctionValue, Instance, Scalar, Scope, Timeless, Value, places, too_few, too_many,
-    unknown_argument, wanted,
+    Context, EntityId, Fixed, FrameId, FunctionValue, Instance, Scalar, Scope, Timeless, Value, is_between, nearest_kind, places, too_few,
+    too_many, unknown_argument, unknown_kind, wanted,
 };
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Argument, Definition, Formal, FormalKind, JointBody};
@@ -109,19 +109,19 @@ impl Elaborator<'_> {
             return self.refuse(kind, ArrayFact::ComponentAsConstraint { name: word });
         }
         if library::is_elsewhere(&word, self.names.ambient) {
-            let is_plane = self.names.ambient == Ambient::Plane;
-            return self.refuse(kind, if is_plane { ValueFact::OnlyInSpace { word } } else { ValueFact::OnlyInPlane { word } });
+            return self.refuse(kind, ValueFact::only_elsewhere(word, None, self.names.ambient));
         }
         let own = self.names.definitions.keys().map(String::as_str);
         if self.applied.is_some() {
             let laws: Vec<String> = own.chain(library::forces(self.names.ambient)).map(str::to_owned).collect();
-            let near = self.nearest(&word, laws.iter().map(String::as_str));
-            return self.refuse(kind, MotionFact::UnknownForce { name: word, near, laws });
+            let near = nearest_kind(&word, &laws.iter().map(String::as_str).collect::<Vec<_>>(), |word, known| {
+                self.nearest(word, known.iter().copied())
+            });
+            return self.refuse(kind, MotionFact::UnknownForce { name: word, near, laws, ambient: self.names.ambient });
         }
-        let known = own.chain(library::constraints(self.names.ambient)).chain(library::forces(self.names.ambient));
-        let near = self.nearest(&word, known);
-        let (home, known) = (home(&word, self.names.ambient), Known::of(library::constraints(self.names.ambient)));
-        self.refuse(kind, NameFact::UnknownConstraint { name: word, near, home, known })
+        let here: Vec<&str> = own.chain(library::constraints(self.names.ambient)).chain(library::forces(self.names.ambient)).collect();
+        let fact = unknown_kind(word, &here, self.names.ambient, |word, known| self.nearest(word, known.iter().copied()));
+        self.refuse(kind, fact)
     }
 
     /// Constraint with this name, imported or of the library; a library page is parsed once.
@@ -197,7 +197,8 @@ impl Elaborator<'_> {
         }
         let missing = wanted.iter().zip(&slots).filter(|(formal, slot)| slot.is_none() && formal.default.is_none());
         let missing: Vec<String> = missing.map(|(formal, _)| formal.name.to_string()).collect();
-        if missing.is_empty() { Some(slots) } else { self.refuse(kind, too_few(definition, given.len(), missing)) }
+        let is_of_joint = is_between(definition) && given.first().is_some_and(|first| self.names.is_joint(&first.value));
+        if missing.is_empty() { Some(slots) } else { self.refuse(kind, too_few(definition, given.len(), missing, is_of_joint)) }
     }
 
     /// Evaluates an argument and checks its kind.

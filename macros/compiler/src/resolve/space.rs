@@ -20,9 +20,6 @@ use crate::quantity::{Dim, InferredDim, Role};
 use crate::syntax::ast::{self, Statement};
 use proc_macro2::Ident;
 
-/// Built-in functions of space.
-pub(crate) const BUILTINS: &[&str] = &["across", "along", "joint_angle", "misalignment", "turn", "x_axis", "y_axis", "z_axis"];
-
 /// Properties of expressions while a mechanism is resolved.
 #[derive(Default)]
 pub(super) struct Notes {
@@ -68,7 +65,7 @@ impl Elaborator<'_> {
         let Some(written) = &mark.zero else { return Some(None) };
         let zero = self.vector(written, scope)?.parts;
         let (Some(one), Some(two)) = (axis.in_space(), zero.in_space()) else {
-            return self.refuse(written.range, ValueFact::OnlyInSpace { word: "from".to_owned() });
+            return self.refuse(written.range, ValueFact::OnlyInSpace { word: "from".to_owned(), typed: None });
         };
         if !zero.iter().all(|part| self.is_fixed(*part)) {
             return self.refuse(written.range, ValueFact::NotFixed { place: "a point or an axis" });

@@ -215,7 +215,7 @@ fn number(input: ParseStream) -> Parsed<Expression> {
         Lit::Float(float) => (float.base10_digits().to_owned(), float.suffix().to_owned()),
         _ => return wrong(range, GrammarFact::NotANumber { found: literal_kind(&literal) }),
     };
-    if unit.is_empty() && is_unit(input) {
+    if is_unit(input) {
         let (number, unit) = (literal.to_token_stream().to_string(), input.parse::<Ident>()?);
         return wrong(range.to(&unit), GrammarFact::SpaceBeforeUnit { number, unit: unit.to_string() });
     }

@@ -208,4 +208,6 @@ crate::refusals! {
     mechanism a_start_of_a_joint_in_the_plane: "mechanism M { body b {} joint h = revolute(ground.position, b.position); start «b.angle» = 30deg; drive d = drive_angle(b, 1rad_s * t); }" => "a start in the plane is that of a body\nhelp: write `start angle = …;` in `body b { … }`";
     mechanism a_start_of_a_joint_by_its_name_in_the_plane: "mechanism M { body b {} joint h = revolute(ground.position, b.position); start «h.angle» = 30deg; drive d = drive_angle(b, 1rad_s * t); }" => "a start in the plane is that of a body\nhelp: write `start angle = …;` in `body b { … }`";
     mechanism a_turn_about_a_letter: "mechanism M in space { body c { start orientation = turn(«z», 30deg); } }" => "nothing is called `z` here\nhelp: write `(0, 0, 1)` for the direction of z";
+    mechanism misspelled_function_of_the_plane: "mechanism M in space { body a { point P = (1m, 0m, 0m); } output q = «prep»(a.P); }" => "no function is called `prep`\nhelp: `perp` is for the plane; in space write `cross(axis, v)`";
+    mechanism misspelled_function_of_space: "mechanism M { body a { axis u = (1, 0); } output q = «joint_angel»(a.u, a.u); }" => "no function is called `joint_angel`\nhelp: `joint_angle` is for mechanisms in space: write `mechanism Name in space { … }`, or in the plane a difference of angles, `b.angle - a.angle`";
 }

@@ -92,6 +92,8 @@ crate::refusals! {
     item unit_raised_to_a_power: "let a = «3m_s»^2;" => "`3m_s^2` raises the number with its unit to a power\nhelp: the unit is `3m_s2`; a square is `(3m_s)^2`";
     item constant_of_rust: "drive a = drive_angle(ram, «std::f64::consts::PI» * 1rad);" => "`std::f64::consts::PI` is a constant of Rust\nhelp: write `pi`";
     item body_misspelt: "«bodie» b { }" => "`bodie` is no item of a mechanism\nhelp: did you mean `body`?\nnote: items are `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `start`, `output`, `range`, `part`, `for`, `component`, `function` and `use`";
+    item operator_missing_after_a_unit: "drive second = drive_angle(crank, «60rpm t»);" => "an operator is missing between `60rpm` and `t`\nhelp: write `60rpm * t`";
+    item unit_apart: "param stiffness: Torque = «5N m»;" => "a unit stands right behind its number\nhelp: write `5Nm`";
 }
 
 /// Deeper than realistic, but not deep enough to exhaust the stack.

@@ -42,7 +42,7 @@ pub enum MotionFact {
     EquationWithoutBraces { word: Word, name: String, equation: String },
     ValueForForce { value: String, instead: String, laws: Vec<String> },
     ValueForConstraint { word: Word, value: String, instead: String },
-    UnknownForce { name: String, near: Option<String>, laws: Vec<String> },
+    UnknownForce { name: String, near: Option<String>, laws: Vec<String>, ambient: Ambient },
     ForceForConstraint { force: String, word: Word, name: String, instead: Option<String> },
     ConstraintForForce { constraint: String, is_drive: bool, name: String },
     JointForDrive { constraint: String, name: String },

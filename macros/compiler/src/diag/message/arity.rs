@@ -10,11 +10,11 @@ impl Display for ArityFact {
             ArityFact::TooManyArguments { definition, signature, takes, found } => {
                 write!(f, "`{definition}` takes {}, found {found}\nnote: `{signature}`", range_of(takes, "argument"))
             }
-            ArityFact::MissingArguments { definition, signature, takes, found, missing } => {
+            ArityFact::MissingArguments { definition, signature, takes, found, missing, is_of_joint } => {
                 let missing_ones = listed(missing.iter().map(String::as_str));
                 let verb = if missing.len() == 1 { "is" } else { "are" };
                 write!(f, "`{definition}` takes {}, found {found}: {missing_ones} {verb} missing", range_of(takes, "argument"))?;
-                if definition.starts_with("torsion_") && missing.len() == 1 {
+                if *is_of_joint && missing.len() == 1 {
                     let ends = if signature.contains("Axis") { "axes" } else { "bodies" };
                     write!(f, "\nhelp: for a joint, write its two {ends} instead of its name")?;
                 }

@@ -219,7 +219,8 @@ impl Display for GrammarFact {
             GrammarFact::MethodCall { name } if is_power(name) => write!(f, "there are no methods here\nhelp: a power is written `a^b`"),
             GrammarFact::MethodCall { name } => write!(f, "there are no methods here\nhelp: write `{name}(value)` for `value.{name}()`"),
             GrammarFact::SpaceBeforeUnit { number, unit } => {
-                if crate::quantity::unit(unit).is_some() {
+                let joined: String = number.chars().skip_while(|digit| !digit.is_alphabetic()).chain(unit.chars()).collect();
+                if crate::quantity::unit(&joined).is_some() {
                     return write!(f, "a unit stands right behind its number\nhelp: write `{number}{unit}`");
                 }
                 write!(f, "an operator is missing between `{number}` and `{unit}`\nhelp: write `{number} * {unit}`")

@@ -16,6 +16,9 @@ impl Display for Word {
     }
 }
 
+/// Names that other programs give to the force of gravity.
+const GRAVITY: [&str; 5] = ["gravity", "weight", "self_weight", "gravitational_field", "gravitation"];
+
 impl Display for MotionFact {
     fn fmt(&self, f: &mut Formatter) -> Result {
         match self {
@@ -98,7 +101,11 @@ impl Display for MotionFact {
             MotionFact::ValueForConstraint { value, instead, .. } => {
                 write!(f, "`{value}` is a value, and a joint relates bodies\nhelp: write `{instead}`, or an equation, `{{ lhs == rhs; }}`")
             }
-            MotionFact::UnknownForce { name, near, laws } => {
+            MotionFact::UnknownForce { name, ambient, .. } if GRAVITY.contains(&name.to_lowercase().as_str()) => {
+                let instead = if *ambient == Ambient::Plane { "(0, -9.81m_s2)" } else { "(0, 0, -9.81m_s2)" };
+                write!(f, "no force is called `{name}`: gravity acts on every mass\nhelp: write `gravity = {instead};` in its place")
+            }
+            MotionFact::UnknownForce { name, near, laws, .. } => {
                 write!(f, "no force is called `{name}`{}", did_you_mean(near))?;
                 write!(f, "\nnote: there are {}", listed(laws.iter().map(String::as_str)))?;
                 if near.is_some() {

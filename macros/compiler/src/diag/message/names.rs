@@ -131,7 +131,10 @@ impl Display for NameFact {
             {
                 write!(f, "no constraint is called `{name}`\nhelp: write `force name = {call};`")
             }
-            NameFact::UnknownConstraint { name, near, home, known } => {
+            NameFact::UnknownConstraint { name, near: Some(near), is_force: true, .. } => {
+                write!(f, "no constraint is called `{name}`\nhelp: did you mean the force `{near}`? write `force name = {near}(…);`")
+            }
+            NameFact::UnknownConstraint { name, near, home, known, .. } => {
                 write!(f, "no constraint is called `{name}`{}", did_you_mean(near))?;
                 match home.filter(|_| near.is_none()) {
                     _ if near.is_some() => Ok(()),

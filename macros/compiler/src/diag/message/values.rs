@@ -2,7 +2,7 @@
 
 use super::significant;
 use super::words::shortened;
-use crate::diag::{Kind, ValueFact, Wanted, quantity, remedy};
+use crate::diag::{Kind, Typed, ValueFact, Wanted, quantity, remedy};
 use crate::quantity::{Ambient, Dim};
 use std::f64::consts::TAU;
 use std::fmt::{Display, Formatter, Result};
@@ -91,34 +91,13 @@ impl Display for ValueFact {
                 write!(f, "`{name}` has words and vectors of space, and a mechanism is in the plane where it does not say `in space`")?;
                 write!(f, "\nhelp: write `mechanism {name} in space {{ … }}`")
             }
-            ValueFact::OnlyInSpace { word } => {
-                write!(f, "`{word}` is for mechanisms in space: write `mechanism Name in space {{ … }}`, or ")?;
-                match word.as_str() {
-                    "spherical" | "universal" | "constant_velocity" => write!(f, "in the plane `revolute(P, Q)`"),
-                    "cylindrical" | "screw" => write!(f, "in the plane `translational(u, P, Q)`"),
-                    "drive_rotation" | "drive_orientation" => write!(f, "in the plane `drive_angle(body, law)`"),
-                    "drive_translation" => write!(f, "in the plane `drive_along(guide, law)`"),
-                    "point_on_plane" => write!(f, "in the plane `point_on_line(P, u, Q)`"),
-                    "parallel_axes" => write!(f, "in the plane `parallel(i, j)`"),
-                    "along" | "across" => write!(f, "in the plane `dot(u, v)` and `cross(u, v)`"),
-                    "joint_angle" => write!(f, "in the plane a difference of angles, `b.angle - a.angle`"),
-                    _ => write!(f, "leave it out in the plane"),
-                }
+            ValueFact::OnlyInSpace { word, typed } => {
+                mistyped(f, typed.as_ref())?;
+                write!(f, "`{word}` is for mechanisms in space: write `mechanism Name in space {{ … }}`, or {}", remedy::in_plane(word))
             }
-            ValueFact::OnlyInPlane { word } => {
-                let instead = match word.as_str() {
-                    "perp" => "`cross(axis, v)`",
-                    "direction" => "`joint.angle`, or `atan2` of two dot products",
-                    "drive_angle" | "drive_relative_angle" => "`drive_rotation(joint, law)`",
-                    "drive_along" => "`drive_translation(joint, law)`",
-                    "absolute_angle" | "relative_angle" | "parallel" => "an equation of `joint.angle`, or `absolute_orientation(a, b)`",
-                    "revolute_translational" => "`point_on_plane(P, a, Q, offset)`",
-                    "absolute_distance" => "`distance(P, Q, c)`",
-                    "involute_mesh" => "`gear_pair(one, two, a, b)` of the angles of two joints, without the force between the teeth",
-                    _ if word.starts_with(char::is_uppercase) => "a component of your own",
-                    _ => "an equation of your own",
-                };
-                write!(f, "`{word}` is for the plane; in space write {instead}")
+            ValueFact::OnlyInPlane { word, typed } => {
+                mistyped(f, typed.as_ref())?;
+                write!(f, "`{word}` is for the plane; in space write {}", remedy::in_space(word))
             }
             ValueFact::AlongItsAxis { name } => {
                 write!(f, "angles about `{name}` are counted from a direction across it, and this one has no part across it")?;
@@ -338,6 +317,12 @@ fn slope(value: f64, dim: Dim, along: Dim) -> String {
         Dim::TIME => format!("{} per second", remedy::quantity(rounded(value), dim)),
         _ => remedy::quantity(rounded(value), dim.per(along)),
     }
+}
+
+/// The line before one about the word that is meant, if another was typed.
+fn mistyped(f: &mut Formatter, typed: Option<&Typed>) -> Result {
+    let Some(Typed { sort, name }) = typed else { return Ok(()) };
+    write!(f, "no {sort} is called `{name}`\nhelp: ")
 }
 
 fn not_a_start(f: &mut Formatter, written: &str, body: Option<&str>, ambient: Ambient) -> Result {
