@@ -205,7 +205,7 @@ mechanism! {
 #[test]
 fn loads_that_grow_beyond_all_bounds_at_a_change_point_are_no_numbers_there() {
     for gain in [0.6, 0.0] {
-        let isosceles = Isosceles { gain, ..Default::default() };
+        let isosceles = Isosceles { gain };
         // 60° + t + gain t² / 2 = 90°
         let sixth = core::f64::consts::FRAC_PI_6;
         let t = 2.0 * sixth / (1.0 + (1.0 + 2.0 * gain * sixth).sqrt());
