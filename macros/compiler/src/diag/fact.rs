@@ -198,7 +198,7 @@ pub enum ValueFact {
     CannotEquate { one: Kind, two: Kind, ambient: Ambient },
     NotTwoComponents { found: usize, meant: Option<String> },
     NotThreeComponents { found: usize, meant: Option<String> },
-    MeansSpace { name: String },
+    MeansSpace { name: String, is_component: bool },
     OnlyInSpace { word: String, typed: Option<Typed> },
     OnlyInPlane { word: String, typed: Option<Typed> },
     AlongItsAxis { name: String },
@@ -415,7 +415,7 @@ impl Bound {
 }
 
 impl ValueFact {
-    /// The word exists in the other world, in space for a mechanism in the plane; `typed` is what was typed for it.
+    /// The word exists in the other ambient, in space for a mechanism in the plane; `typed` is what was typed for it.
     pub(crate) fn only_elsewhere(word: String, typed: Option<Typed>, ambient: Ambient) -> ValueFact {
         match ambient {
             Ambient::Plane => ValueFact::OnlyInSpace { word, typed },

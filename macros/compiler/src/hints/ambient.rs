@@ -20,7 +20,10 @@ struct Evidence {
 /// Refuses a planar mechanism in which most vectors have three components.
 pub(crate) fn is_meant(tree: &Mechanism, diag: &mut Diag) -> Option<()> {
     if means_space(tree) {
-        return diag.refuse(&tree.name, ValueFact::MeansSpace { name: tree.name.to_string() });
+        // `constraint!` checks components in a mechanism that has the name of one of them.
+        let is_checked = |item: &Item| matches!(item, Item::Component(component) if component.head.name == tree.name);
+        let is_component = tree.items.iter().any(is_checked);
+        return diag.refuse(&tree.name, ValueFact::MeansSpace { name: tree.name.to_string(), is_component });
     }
     Some(())
 }

@@ -7,7 +7,7 @@ use crate::diag::Diag;
 use crate::quantity::Ambient;
 use crate::syntax::{
     self,
-    ast::{Definition, FunctionItem, Shared},
+    ast::{Defined, Definition, FunctionItem, Shared},
 };
 use proc_macro2::TokenStream;
 use std::rc::Rc;
@@ -226,7 +226,8 @@ pub(crate) fn find(name: &str, ambient: Ambient) -> Option<Rc<Definition>> {
     let (_, text) = of(ambient).chain(forces_of(ambient)).find(|(known, _)| *known == name)?;
     let tokens = TokenStream::from_str(text).ok()?;
     // The tests of this crate find a page that does not parse.
-    syntax::parse_exported(tokens, &mut Diag::default())?.into_iter().next().map(|handed| Rc::new(handed.defined.head().clone()))
+    let handed = syntax::parse_exported(tokens, &mut Diag::default())?.into_iter().next()?;
+    if let Defined::Constraint(definition) = handed.defined { Some(Rc::new(definition)) } else { None }
 }
 
 /// True for a force of the library, in the plane or in space.

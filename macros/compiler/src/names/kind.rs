@@ -7,7 +7,7 @@ use crate::quantity::Ambient;
 /// What is said of a kind of joint that is not known; `here` are those that are, and `nearest` finds the one that is most similar.
 pub(crate) fn unknown_kind(word: String, here: &[&str], ambient: Ambient, nearest: impl Fn(&str, &[&str]) -> Option<String>) -> Fact {
     let home = home(&word, ambient).or_else(|| home(&stem(&word), ambient));
-    // A word of the other world is meant only where this one has no equivalent of it and none that is as near.
+    // A word of the other ambient is meant only where this one has no equivalent of it and none that is as near.
     let elsewhere = library::elsewhere(ambient).filter(|_| home.is_none());
     let known: Vec<&str> = here.iter().copied().chain(elsewhere).collect();
     let near = nearest_kind(&word, &known, nearest);

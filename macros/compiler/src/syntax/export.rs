@@ -28,7 +28,7 @@ pub(super) fn definitions(input: ParseStream, diag: &mut Diag) -> Option<Definit
     Some(Definitions { exports })
 }
 
-/// Definitions as handed over by an exported name: its own, and in `with { … }` those that its components call.
+/// Definitions as handed over by an exported name: its own, and in braces those that its components call.
 pub(super) fn exported(input: ParseStream, diag: &mut Diag) -> Option<Vec<Handed>> {
     let mut handed = Vec::new();
     while !input.is_empty() {

@@ -87,7 +87,11 @@ impl Display for ValueFact {
                 write!(f, "a vector in space has 3 components, found {found}")?;
                 if *found == 2 { write!(f, "\nhelp: write the third, which is 0 in the plane of x and y") } else { Ok(()) }
             }
-            ValueFact::MeansSpace { name } => {
+            ValueFact::MeansSpace { name, is_component: true } => {
+                write!(f, "`{name}` has words and vectors of space, and a component is in the plane where it does not say `in space`")?;
+                write!(f, "\nhelp: write `component {name}(…) in space {{ … }}`")
+            }
+            ValueFact::MeansSpace { name, .. } => {
                 write!(f, "`{name}` has words and vectors of space, and a mechanism is in the plane where it does not say `in space`")?;
                 write!(f, "\nhelp: write `mechanism {name} in space {{ … }}`")
             }
