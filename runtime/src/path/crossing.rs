@@ -207,11 +207,11 @@ fn extrapolated<T: Float, const N: usize>(
     };
     let (near, far, mut there) = between(&near, &far, h)?;
     let Some((near, far, second)) = between(&near, &far, T::of(2.0) * h) else { return Some(there) };
-    let shares = [1.0 / 63.0, 1.0 / 15.0, 1.0 / 3.0];
+    let shares = [T::of(1.0 / 63.0), T::of(1.0 / 15.0), T::of(1.0 / 3.0)];
     there = combined(there, &second, mechanism.coordinates, shares);
     if let Some((_, _, third)) = between(&near, &far, T::of(4.0) * h) {
         let coarse = combined(second, &third, mechanism.coordinates, shares);
-        there = combined(there, &coarse, mechanism.coordinates, [1.0 / 255.0, 1.0 / 63.0, 1.0 / 15.0]);
+        there = combined(there, &coarse, mechanism.coordinates, [T::of(1.0 / 255.0), T::of(1.0 / 63.0), T::of(1.0 / 15.0)]);
     }
     Some(there)
 }
@@ -221,10 +221,10 @@ fn combined<T: Float, const N: usize>(
     mut fine: State<T, N>,
     coarse: &State<T, N>,
     coordinates: &[Coordinate],
-    [share, of_accelerations, of_lone]: [f64; 3],
+    [share, of_accelerations, of_lone]: [T; 3],
 ) -> State<T, N> {
     let Values { q, qd, qdd, .. } = &mut fine.values;
-    let add = |entry: &mut T, other: T, share: f64| *entry = *entry + T::of(share) * (*entry - other);
+    let add = |entry: &mut T, other: T, share: T| *entry = *entry + share * (*entry - other);
     for i in 0..N {
         let [of_rate, of_acceleration] = match held(coordinates, i) {
             Held::Motion => [share, of_accelerations],
