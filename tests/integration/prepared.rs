@@ -66,6 +66,35 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// The same comparison again, within its own branches.
+    mechanism Within {
+        param short: Length = 100mm;
+        param long: Length = 120mm;
+        let gain = if short < long { sin(3 * short / long) * exp(short / long) } else { cos(short / long) };
+        body slide { point P = (0m, 0.1m); }
+        joint guide = translational((1, 0), (0m, 0.1m), slide.P);
+        drive law = drive_x(slide.P, if short < long { 10mm * gain * sin(1rad_s * t) } else { 10mm * gain * cos(2rad_s * t) });
+    }
+}
+
+#[test]
+fn a_comparison_of_parameters_chooses_within_its_own_branches() {
+    for (short, long) in [(0.1_f64, 0.12_f64), (0.12, 0.1)] {
+        let prepared = Within { short, long }.prepared();
+        for t in [0.0, 0.5, 1.0] {
+            let exact = if short < long {
+                0.01 * (3.0 * short / long).sin() * (short / long).exp() * f64::sin(t)
+            } else {
+                0.01 * (short / long).cos() * f64::cos(2.0 * t)
+            };
+            let found = prepared.solve(t).unwrap();
+            assert_eq!(found, Within { short, long }.solve(t).unwrap());
+            assert!((found.slide().position.x - exact).abs() <= 1e-16, "{} instead of {exact}", found.slide().position.x);
+        }
+    }
+}
+
 #[test]
 fn a_comparison_of_parameters_chooses_before_and_after() {
     for (short, long) in [(0.1_f64, 0.12_f64), (0.12, 0.1)] {

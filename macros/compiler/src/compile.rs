@@ -13,7 +13,6 @@ use crate::mobility;
 use crate::model::{Facing, Model};
 use crate::picture::{self, Picture};
 use crate::plan::{self, Plan};
-use crate::quantity::Ambient;
 use crate::redundancy;
 use crate::resolve;
 use crate::structure::{self, Structure};
@@ -124,8 +123,8 @@ fn continued(tree: &ast::Mechanism, tokens: TokenStream, known: TokenStream, mut
     {
         return export::resume(missing, &known, &tokens);
     }
-    let imported = import::imported(known, tree.ambient, &mut diag);
-    let whole = &syntax::with_components(tree, imported.components);
+    let imported = import::imported(tree, known, &mut diag);
+    let whole = &syntax::with_components(tree, imported.components, imported.homes);
     let compiled = rooms(whole, imported.definitions, &mut diag);
     let doubts = compiled.as_ref().map_or(&[][..], |compiled| &compiled.model.doubts);
     let unused = diag::of_unused(&hints::unused(tree, tokens, doubts));
@@ -142,7 +141,7 @@ fn continued(tree: &ast::Mechanism, tokens: TokenStream, known: TokenStream, mut
     }
 }
 
-/// First constraint of a `use` item whose definition has not been handed over.
+/// First name of a `use` item whose definition has not been handed over.
 fn missing<'a>(tree: &'a ast::Mechanism, known: &TokenStream) -> Option<&'a ast::Use> {
     let names = import::names(known);
     let uses = tree.items.iter().filter_map(|item| if let ast::Item::Use(uses) = item { Some(uses) } else { None });
@@ -214,23 +213,31 @@ fn check(definitions: &ast::Definitions, diag: &mut Diag) {
         return;
     }
     resolve::check_names(definitions, diag);
-    let (mut all, mut components) = (Vec::new(), Vec::new());
-    for defined in definitions.exports.iter().flat_map(|export| export.definitions.clone()) {
-        match defined {
-            ast::Defined::Constraint(definition) => all.push(definition),
-            ast::Defined::Component(component) => components.push(component),
-        }
-    }
+    let is_constraint =
+        |defined: &ast::Defined| if let ast::Defined::Constraint(definition) = defined { Some(definition.clone()) } else { None };
+    let all: Vec<ast::Definition> = definitions.exports.iter().flat_map(|export| &export.definitions).filter_map(is_constraint).collect();
     for definition in &all {
         resolve::check_definition(definition, &all, diag);
     }
-    let named: import::Definitions = all.into_iter().map(|definition| (definition.name.to_string(), definition)).collect();
-    for ambient in [Ambient::Plane, Ambient::Space] {
-        let is_of = |component: &&ast::ComponentItem| component.head.ambient.unwrap_or_default() == ambient;
-        let components: Vec<ast::ComponentItem> = components.iter().filter(is_of).cloned().collect();
-        if let (Some(first), true) = (components.first(), diag.is_clean()) {
-            let tree = syntax::of_components(first.head.name.clone(), ambient, components);
-            resolve::resolve(&tree, named.clone(), diag);
+    for (component, handed) in export::components(definitions) {
+        check_component(component, handed, diag);
+    }
+}
+
+/// Checks a component as mechanisms would import it. What is wrong in another one that it calls is reported once.
+fn check_component(component: &ast::ComponentItem, handed: TokenStream, diag: &mut Diag) {
+    let name = &component.head.name;
+    let tree = syntax::without_items(name.clone(), component.head.ambient.unwrap_or_default());
+    let mut own = Diag::default();
+    let imported = import::imported(&tree, quote!(#name { #handed }), &mut own);
+    let tree = syntax::with_components(&tree, imported.components, imported.homes);
+    if own.is_clean() {
+        resolve::resolve(&tree, imported.definitions, &mut own);
+    }
+    let place = |range: diag::Range| (range.first.start(), range.last.end());
+    for refusal in own.refusals() {
+        if diag.refusals().iter().all(|known| place(known.range) != place(refusal.range)) {
+            diag.refuse::<()>(refusal.range, refusal.fact.clone());
         }
     }
 }

@@ -10,8 +10,8 @@
 //! ```
 
 use crate::quantity::Ambient;
-use crate::syntax;
-use crate::syntax::ast::{Definitions, Export, Use};
+use crate::syntax::ast::{ComponentItem, Defined, Definitions, Export, Use};
+use crate::syntax::{self, plain};
 use proc_macro2::{Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote, quote_spanned};
 use std::collections::BTreeSet;
@@ -38,11 +38,9 @@ struct Beside<'a> {
 }
 
 impl Beside<'_> {
-    /// The tokens handed over for definitions called `own`: those of theirs, and in braces those of others that their components call.
+    /// The tokens handed over for definitions called `own`: theirs, and in braces those of others that their components call, after the name of
+    /// the crate.
     fn handed(&self, own: &[&Ident], tokens: &TokenStream) -> TokenStream {
-        if self.is_broken {
-            return TokenStream::new();
-        }
         let (mut fellows, mut called) = (TokenStream::new(), called_by_components(tokens));
         let mut pending: Vec<(&Ident, &TokenStream)> = self.all().filter(|(name, _)| !own.contains(name)).collect();
         // A fellow may call others.
@@ -52,9 +50,10 @@ impl Beside<'_> {
             called.extend(called_by_components(definition));
             fellows.extend(definition.clone());
         }
-        let fellows = (!fellows.is_empty()).then(|| at_home(fellows)).map(|fellows| quote!({ #fellows }));
-        let own = at_home(tokens.clone());
-        quote!(#own #fellows)
+        let origin = has_component(tokens)
+            .then(|| ["CARGO_PKG_NAME", "CARGO_PKG_VERSION"].map(|name| std::env::var(name).unwrap_or_default()).join(" "));
+        let fellows = (!fellows.is_empty()).then(|| quote!({ #fellows }));
+        quote!(#origin #tokens #fellows)
     }
 
     fn all(&self) -> impl Iterator<Item = (&Ident, &TokenStream)> {
@@ -67,14 +66,35 @@ impl Beside<'_> {
 
 /// Words that are called, if there is a component among the definitions.
 fn called_by_components(tokens: &TokenStream) -> BTreeSet<String> {
-    let has_component = tokens.clone().into_iter().any(|token| matches!(token, TokenTree::Ident(word) if word == "component"));
-    if has_component { syntax::called(tokens.clone()) } else { BTreeSet::new() }
+    if has_component(tokens) { syntax::called(tokens.clone()) } else { BTreeSet::new() }
+}
+
+fn has_component(tokens: &TokenStream) -> bool {
+    tokens.clone().into_iter().any(|token| matches!(token, TokenTree::Ident(word) if word == "component"))
+}
+
+/// Components, each with the tokens that are handed over for it.
+pub(crate) fn components(definitions: &Definitions) -> Vec<(&ComponentItem, TokenStream)> {
+    let exports = &definitions.exports;
+    let of_export = |export| {
+        let beside = Beside { export, exports, is_broken: false };
+        let handed = move |defined| match defined {
+            &Defined::Component(ref component) => {
+                let name = &component.head.name;
+                let tokens = export.members.iter().find(|(member, _)| member == name).map_or(&export.tokens, |(_, tokens)| tokens);
+                Some((component, beside.handed(&[name], tokens)))
+            }
+            Defined::Constraint(_) => None,
+        };
+        export.definitions.iter().filter_map(handed)
+    };
+    exports.iter().flat_map(of_export).collect()
 }
 
 fn exported(export: &Export, beside: &Beside) -> TokenStream {
     let Export { docs, visibility, name, tokens, .. } = export;
     let docs = &docs.tokens;
-    let (hidden, macro_) = handing_over(export, name, beside.handed(&export.own_names(), tokens));
+    let (hidden, macro_) = handing_over(beside, name, &export.own_names(), tokens);
     let members = (!export.members.is_empty()).then(|| members(export, beside));
     quote! {
         #macro_
@@ -87,7 +107,9 @@ fn exported(export: &Export, beside: &Beside) -> TokenStream {
 }
 
 /// The hidden macro that hands tokens over, and its name.
-fn handing_over(export: &Export, name: &Ident, handed: TokenStream) -> (Ident, TokenStream) {
+fn handing_over(beside: &Beside, name: &Ident, own: &[&Ident], tokens: &TokenStream) -> (Ident, TokenStream) {
+    let Beside { export, is_broken, .. } = *beside;
+    let handed = if is_broken { TokenStream::new() } else { at_home(beside.handed(own, tokens)) };
     let hidden = format_ident!("__reuleaux_{}_{}", plain(name), fingerprint(export), span = Span::call_site());
     let exported = is_public(export).then(|| quote!(#[macro_export]));
     let macro_ = quote! {
@@ -107,7 +129,7 @@ fn is_public(export: &Export) -> bool {
 /// The definitions of a bundle one by one, in a module of the bundle's name.
 fn members(export: &Export, beside: &Beside) -> TokenStream {
     let Export { visibility, name, .. } = export;
-    let handed = export.members.iter().map(|(member, tokens)| (member, handing_over(export, member, beside.handed(&[member], tokens))));
+    let handed = export.members.iter().map(|(member, tokens)| (member, handing_over(beside, member, &[member], tokens)));
     let (macros, uses): (Vec<TokenStream>, Vec<TokenStream>) = handed
         .map(|(member, (hidden, macro_))| {
             let visibility = if is_public(export) { quote!(pub) } else { quote!(pub(crate)) };
@@ -138,10 +160,6 @@ fn at_home(tokens: TokenStream) -> TokenStream {
         other => TokenStream::from(other),
     };
     tokens.into_iter().map(inner).collect()
-}
-
-fn plain(name: &Ident) -> String {
-    name.to_string().trim_start_matches("r#").to_owned()
 }
 
 /// Keeps apart exports of the same name in different modules. FNV-1a over text and place.

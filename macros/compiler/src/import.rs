@@ -1,14 +1,15 @@
 //! Definitions that the `use` items of a mechanism bring in.
 //!
-//! A component of `constraint!` sees no name of the mechanism, and brings the constraints and components that it calls with it. Kinds of joints and
-//! components have one namespace in a mechanism, so that a name which would mean one thing there and another one in the component is refused.
+//! A component of `constraint!` has a home: the definitions that it sees there, which are handed over together with it. Names of the mechanism cannot
+//! change what it means. Components become generated types, so that those of one name have to be one.
 
 use crate::diag::{Diag, NameFact, ValueFact};
 use crate::quantity::Ambient;
-use crate::syntax::{self, ast};
-use ast::{ComponentItem, Defined, Definition, Handed};
+use crate::syntax::{self, ast, plain};
+use ast::{ComponentHome, ComponentItem, Defined, Definition, Handed, Item, Mechanism, Shared};
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// Constraints and forces, each with its name in the mechanism.
 pub(crate) type Definitions = Vec<(String, Definition)>;
@@ -17,78 +18,113 @@ pub(crate) type Definitions = Vec<(String, Definition)>;
 #[derive(Debug, Default)]
 pub(crate) struct Imported {
     pub(crate) definitions: Definitions,
-    pub(crate) components: Vec<ComponentItem>,
-}
-
-/// A name that one `use` item brings in.
-struct ImportedName {
-    word: String,
-    tokens: String,
-    is_named: bool,
-}
-
-/// What one `use` item brings in.
-struct Import {
-    /// Its name in the mechanism.
-    name: Ident,
-    names: Vec<ImportedName>,
-    /// Words that its components call.
-    called: BTreeSet<String>,
+    pub(crate) components: Vec<Shared<ComponentItem>>,
+    /// What the components see.
+    pub(crate) homes: Vec<ComponentHome>,
+    /// By name in the mechanism, a component, its crate and tokens, and true if its name is that of a `use` item.
+    known: BTreeMap<String, (Shared<ComponentItem>, String, bool)>,
+    /// The same of constraints.
+    kinds: BTreeMap<String, (String, bool)>,
 }
 
 /// Reads `name { definitions } …`. A single definition takes the name in its `use` item; the definitions of a bundle keep their own names.
-pub(crate) fn imported(known: TokenStream, ambient: Ambient, diag: &mut Diag) -> Imported {
+pub(crate) fn imported(tree: &Mechanism, known: TokenStream, diag: &mut Diag) -> Imported {
     let mut all = Imported::default();
-    let mut taken: BTreeMap<String, String> = BTreeMap::new();
-    let mut read: Vec<Import> = Vec::new();
     for (name, tokens) in entries(known) {
-        let handed = syntax::parse_exported(tokens, diag).unwrap_or_default();
+        let mut handed = syntax::parse_exported(tokens, diag).unwrap_or_default();
         let is_single = handed.iter().filter(|one| one.is_named).count() == 1;
-        let mut import = Import { name: name.clone(), names: Vec::new(), called: BTreeSet::new() };
-        for Handed { mut defined, tokens, is_named } in handed {
-            let own = defined.head().name.to_string();
-            let word = if is_named && is_single { name.to_string() } else { own };
-            let text = tokens.to_string();
-            if defined.ambient().is_some_and(|of| of != ambient) {
-                diag.refuse::<()>(&name, ValueFact::only_elsewhere(word, None, ambient));
-                break;
-            }
-            if let Defined::Component(component) = &mut defined {
-                component.head.name = Ident::new(&word, name.span());
-                import.called.extend(syntax::called(tokens));
-            }
-            import.names.push(ImportedName { word: word.clone(), tokens: text.clone(), is_named });
-            // Two components may call the same one.
-            if taken.insert(word.clone(), text.clone()).is_none_or(|before| before != text) {
-                match defined {
-                    Defined::Constraint(definition) => all.definitions.push((word, definition)),
-                    Defined::Component(component) => all.components.push(component),
+        if is_single && let Some(single) = handed.first().filter(|single| !is_of(&single.defined, tree.ambient)) {
+            let word = plain(&single.defined.head().name);
+            diag.refuse::<()>(&name, ValueFact::only_elsewhere(word, None, tree.ambient));
+        }
+        // Of a bundle, those of the other ambient are left out.
+        handed.retain(|one| is_of(&one.defined, tree.ambient));
+        let before = diag.refusals().len();
+        let mut home = ComponentHome::default();
+        for Handed { defined, tokens, is_named, origin } in handed {
+            let own = plain(&defined.head().name);
+            let is_single = is_named && is_single;
+            let called = Called { used: &name, word: if is_single { plain(&name) } else { own.clone() }, is_single };
+            let text = format!("{origin} {tokens}");
+            match defined {
+                Defined::Constraint(definition) => {
+                    if is_named {
+                        all.constraint(called, &definition, text, diag);
+                    }
+                    home.definitions.insert(own, Rc::new(definition));
+                }
+                Defined::Component(component) => {
+                    let item = all.component(tree, called, (component, text), diag);
+                    if is_named && all.components.iter().all(|known| known.id() != item.id()) {
+                        all.components.push(item.clone());
+                    }
+                    home.components.insert(own, item);
                 }
             }
         }
-        read.push(import);
-    }
-    for import in &read {
-        if let Some(fact) = read.iter().filter(|other| import.name != other.name).find_map(|other| import.replaces(other)) {
-            diag.refuse::<()>(&import.name, fact);
-        }
+        // One refusal of a `use` item is enough.
+        diag.withdraw(diag.refusals().len().min(before + 1));
+        all.homes.push(home);
     }
     all
 }
 
-impl Import {
-    /// The fact that a name of this item means something else in a component of another one.
-    fn replaces(&self, other: &Import) -> Option<NameFact> {
-        let is_another = |name: &&ImportedName| {
-            let there = other.names.iter().find(|there| there.word == name.word);
-            match there {
-                // The resolver refuses a name in two `use` items.
-                Some(there) => !there.is_named && there.tokens != name.tokens,
-                None => name.is_named && other.called.contains(&name.word),
+/// True for a definition that mechanisms in this ambient can use.
+fn is_of(defined: &Defined, ambient: Ambient) -> bool {
+    defined.ambient().is_none_or(|own| own == ambient)
+}
+
+/// The name of a definition in the mechanism.
+struct Called<'a> {
+    /// The name in the `use` item.
+    used: &'a Ident,
+    word: String,
+    /// True if both are the same.
+    is_single: bool,
+}
+
+impl Imported {
+    /// Adds a constraint under its name in the mechanism.
+    fn constraint(&mut self, Called { used, word, is_single }: Called, definition: &Definition, text: String, diag: &mut Diag) {
+        match self.kinds.get(&word) {
+            // The resolver refuses a name in two `use` items.
+            Some((other, is_also_single)) if *other != text && !(is_single && *is_also_single) => {
+                diag.refuse::<()>(used, NameFact::Duplicate { name: word, first: "another `use`" });
             }
+            Some(_) => {}
+            None => {
+                self.kinds.insert(word.clone(), (text, is_single));
+                self.definitions.push((word, definition.clone()));
+            }
+        }
+    }
+
+    /// The component with a name in the mechanism: a new one, unless the same one has come along before.
+    fn component(
+        &mut self,
+        tree: &Mechanism,
+        Called { used, word, is_single }: Called,
+        (component, text): (ComponentItem, String),
+        diag: &mut Diag,
+    ) -> Shared<ComponentItem> {
+        let known = self.known.get(&word);
+        if let Some((item, ..)) = known.filter(|(_, known, is_also_single)| *known == text || is_single && *is_also_single) {
+            return item.clone();
+        }
+        let own = |item: &Item| match item {
+            Item::Component(own) if plain(&own.head.name) == word => Some(own.clone()),
+            _ => None,
         };
-        let ImportedName { word, is_named, .. } = self.names.iter().find(is_another)?;
-        Some(NameFact::CalledByComponent { name: word.clone(), component: other.name.to_string(), can_be_renamed: *is_named })
+        let other = known.map(|(item, ..)| item.clone()).or_else(|| tree.items.iter().filter(|_| !is_single).find_map(own));
+        if let Some(other) = other {
+            diag.refuse::<()>(used, NameFact::BroughtAlong { name: word, by: used.to_string() });
+            return other;
+        }
+        let mut component = ComponentItem { home: Some(self.homes.len()), ..component };
+        component.head.name = Ident::new(&word, used.span());
+        let item = Shared::new(component);
+        self.known.insert(word, (item.clone(), text, is_single));
+        item
     }
 }
 

@@ -136,7 +136,7 @@ pub struct DriveLoad<T> {
 /// A column counts as dependent on others if eliminating them leaves less than this fraction of the largest entry.
 const DEPENDENT: f64 = 1e-11;
 
-/// Forces count as balanced if what is left of them is at most this multiple of √ε of the largest one.
+/// Forces count as balanced if what is left of them is at most this multiple of √ε of the largest one that is coupled with them.
 const BALANCED: f64 = 64.0;
 
 impl<T: Scalar, const M: usize, const A: usize> Loads<T, M, A> {
@@ -144,12 +144,14 @@ impl<T: Scalar, const M: usize, const A: usize> Loads<T, M, A> {
     ///
     /// * `jacobian`: given, Φ_u; overwritten.
     /// * `unbalanced`: given, f = M u̇ − Q.
+    /// * `is_driven`: given, true if drives determine the motion; otherwise f vanishes along the freedoms, but for rounding.
     /// * `actions`: given, computes the loads of joints and drives from λ.
     #[doc(hidden)]
     #[must_use]
     pub fn of<const U: usize>(
         jacobian: &mut SMatrix<T, M, U>,
         unbalanced: &SVector<T, U>,
+        is_driven: bool,
         actions: impl Fn(&SVector<T, M>) -> SVector<T, A>,
     ) -> Self {
         if !jacobian.iter().chain(unbalanced.iter()).all(|value| value.is_finite()) {
@@ -158,8 +160,7 @@ impl<T: Scalar, const M: usize, const A: usize> Loads<T, M, A> {
         // The columns of Φ_u are the rows of its transpose.
         let rows = &mut jacobian.data.0;
         let mut right = unbalanced.data.0[0].map(|force| -force);
-        let heaviest = right.iter().fold(T::of(0.0), |heaviest, force| if force.abs() > heaviest { force.abs() } else { heaviest });
-        let mut coupled: [usize; U] = core::array::from_fn(|row| row);
+        let mut coupled: [(usize, T); U] = core::array::from_fn(|row| (row, right[row].abs()));
         let (pivots, rank) = eliminate(rows, &mut right, &mut coupled);
         let mut multipliers = SVector::<T, M>::from_element(T::of(0.0));
         for (multiplier, value) in pivots.iter().zip(&right).take(rank) {
@@ -170,8 +171,13 @@ impl<T: Scalar, const M: usize, const A: usize> Loads<T, M, A> {
             least_norm(rows, &pivots, rank, &mut multipliers, &mut is_unique);
         }
         // Where joints lose rank, no forces may balance: close to such a place they grow beyond all bounds.
-        for row in (rank..U).filter(|row| right[*row].abs() > T::of(BALANCED) * T::ROOT_EPSILON * heaviest) {
-            let is_coupled = |k: usize| coupled[k] == coupled[row];
+        for row in (rank..U).filter(|_| is_driven) {
+            let is_coupled = |k: usize| coupled[k].0 == coupled[row].0;
+            let heaviest =
+                coupled.iter().filter(|(group, _)| *group == coupled[row].0).fold(T::of(0.0), |most, (_, force)| most.max(*force));
+            if right[row].abs() <= T::of(BALANCED) * T::ROOT_EPSILON * heaviest {
+                continue;
+            }
             for (place, &multiplier) in pivots.iter().enumerate() {
                 let takes_part = |k: usize| is_coupled(k) && rows[k][multiplier] != T::of(0.0);
                 let is_lost = if place < rank { is_coupled(place) } else { (0..rank).any(takes_part) };
@@ -242,12 +248,12 @@ impl<T: Scalar, const M: usize, const A: usize> Loads<T, M, A> {
 /// Gauss-Jordan elimination of rows with complete pivoting: afterwards the columns `pivots[..rank]` are unit vectors in this order. Returns all
 /// columns, the eliminated ones first, and their number.
 ///
-/// * `coupled`: given, a different number for each row; afterwards the numbers of rows that were added to each other are equal.
+/// * `coupled`: given, a different number for each row, with anything of it; afterwards the numbers of rows that were added to each other are equal.
 #[inline(never)]
 fn eliminate<T: Scalar, const M: usize, const U: usize>(
     rows: &mut [[T; M]; U],
     right: &mut [T; U],
-    coupled: &mut [usize; U],
+    coupled: &mut [(usize, T); U],
 ) -> ([usize; M], usize) {
     let mut pivots: [usize; M] = core::array::from_fn(|k| k);
     let mut largest = T::of(0.0);
@@ -279,8 +285,8 @@ fn eliminate<T: Scalar, const M: usize, const U: usize>(
                     *entry = *entry - factor * *own;
                 }
                 right[row] = right[row] - factor * side;
-                let (one, other) = (coupled[rank], coupled[row]);
-                coupled.iter_mut().filter(|number| **number == other).for_each(|number| *number = one);
+                let (one, other) = (coupled[rank].0, coupled[row].0);
+                coupled.iter_mut().filter(|(number, _)| *number == other).for_each(|(number, _)| *number = one);
                 sizes[row] = largest_of(&rows[row], &pivots[rank + 1..]);
             }
         }

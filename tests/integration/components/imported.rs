@@ -15,6 +15,52 @@ reuleaux::mechanism! {
     }
 }
 
+reuleaux::constraint! {
+    /// Not what the components of the other crate call by this name.
+    constraint pinned(P: Point, Q: Point) { Q.x - P.x == 3m; Q.y == P.y; }
+
+    /// The name of a component, too.
+    constraint Link(P: Point, Q: Point) { Q.x == P.x; Q.y - P.y == 2m; }
+}
+
+reuleaux::mechanism! {
+    mechanism Apart {
+        use elsewhere::Link as Boom;
+        use crate::components::imported::{Link, pinned, pinned as revolute};
+        part boom = Boom((0m, 0m), 0);
+        body end {}
+        joint away = pinned(boom.bar.end, end.position);
+        drive level = drive_angle(end, 0);
+        body above {}
+        joint over = Link(end.position, above.position);
+        drive upright = drive_angle(above, 0);
+        body beyond {}
+        joint further = revolute(above.position, beyond.position);
+        drive even = drive_angle(beyond, 0);
+        output end = beyond.position;
+    }
+}
+
+reuleaux::mechanism! {
+    mechanism Two {
+        use elsewhere::columns::Pile;
+        use elsewhere::hanging::Pile as Drop;
+        part pile = Pile((0m, 0m), 30mm);
+        part drop = Drop((0m, 0m), 40mm);
+    }
+}
+
+reuleaux::mechanism! {
+    /// Of a bundle, what is for space.
+    mechanism Slide in space {
+        use elsewhere::columns;
+        body slide {}
+        joint way = along_x((0m, 1m, 2m), slide.position);
+        joint square = { slide.orientation == turn((0, 0, 1), 0rad); }
+        drive go = drive_x(slide.position, 1m_s * t);
+    }
+}
+
 reuleaux::mechanism! {
     mechanism Both {
         use elsewhere::{Chain, Link};
@@ -88,6 +134,26 @@ fn generated_structs_have_the_names_of_the_use_item() {
 fn a_component_that_comes_twice_is_one() {
     let Both { link, chain } = Both::<f64>::default();
     assert_eq!((link, chain.link), (BothLink { length: 0.1 }, [link; 3]));
+}
+
+#[test]
+fn names_of_the_mechanism_do_not_change_what_a_component_means() {
+    let apart = Apart::default();
+    let end = apart.end(&apart.solve(0.5).expect("drives turn everything")).value;
+    let exact = polar(0.1, 0.5);
+    assert!((end.x - exact[0] - 6.0).abs() < 1e-15 && (end.y - exact[1] - 2.0).abs() < 1e-15, "{end:?}");
+}
+
+#[test]
+fn components_of_one_name_in_two_bundles_have_the_constraints_of_their_own() {
+    let state = Two::default().solve(0.0).expect("all is fixed");
+    assert_eq!((state.pile().top().position.y, state.drop().top().position.y), (0.03, -0.04));
+}
+
+#[test]
+fn a_bundle_gives_what_is_for_the_ambient() {
+    let place = Slide::default().solve(0.25).expect("it is driven").slide().position;
+    assert_eq!((place.x, place.y, place.z), (0.25, 1.0, 2.0));
 }
 
 #[test]

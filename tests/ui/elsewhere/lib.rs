@@ -64,6 +64,7 @@ reuleaux::constraint! {
     pub bundle columns {
         constraint left_of(P: Point, Q: Point, d: Length) { Q.x - P.x == d; }
         constraint below(P: Point, Q: Point, d: Length) { Q.y - P.y == d; }
+        constraint along_x(P: Point, Q: Point) in space { Q.y == P.y; Q.z == P.z; }
         component Pile(P: Point, d: Length) {
             body top {}
             joint upright = absolute_angle(top, 0);
@@ -71,6 +72,22 @@ reuleaux::constraint! {
             joint side = left_of(P, top.position, 0);
         }
     }
+}
+
+reuleaux::constraint! {
+    /// Distances the other way round, and another component of the same name.
+    pub bundle hanging {
+        constraint below(P: Point, Q: Point, d: Length) { P.y - Q.y == d; }
+        component Pile(P: Point, d: Length) {
+            body top {}
+            joint upright = absolute_angle(top, 0);
+            joint height = below(P, top.position, d);
+            joint side = vertical(P, top.position);
+        }
+    }
+
+    /// A point stays below another one.
+    pub constraint vertical(P: Point, Q: Point) { P.x == Q.x; }
 }
 
 /// A law: 1 − cos x with its first and second derivative.

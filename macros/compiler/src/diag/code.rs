@@ -68,7 +68,7 @@ codes! {
     E0107: Name::UnknownDimension;
     E0108: Name::UnknownKind;
     E0109: Name::UnknownStart;
-    E0110: Name::Duplicate Name::CalledByComponent Name::DuplicateMark;
+    E0110: Name::Duplicate Name::BroughtAlong Name::DuplicateMark;
     E0111: Name::DuplicateStart;
     E0112: Name::DuplicateGround Name::DuplicateRange;
     E0113: Name::Reserved Name::Generated Array::GeneratedType Array::FieldOfInputs Grammar::NumberType;

@@ -7,6 +7,7 @@ use super::routine::{RoutinePrinter, fast_lines};
 use super::{allowed, docs, state_path};
 use crate::expr::Arena;
 use crate::plan::{LoadsCode, Routine};
+use crate::syntax::ast::Task;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
@@ -101,7 +102,7 @@ impl Emitter<'_> {
         let RoutinePrinter { reads: reads_of_actions, steps: steps_of_actions, results: values } =
             fast_lines(self.model, &code.arena, &code.actions);
         let data: Vec<Ident> = (0..m).map(|number| local(&format!("d{number}"))).collect();
-        let (motion, count, width) = (motion(), number(m), number(code.width));
+        let (motion, count, width, is_driven) = (motion(), number(m), number(code.width), self.model.task != Task::Motion);
         quote! {
             #[inline(never)]
             fn loads_in_general(&self, state: &#state<T>) -> ::reuleaux::Loads<T, #count, #width> {
@@ -111,7 +112,7 @@ impl Emitter<'_> {
                 let mut jacobian: #of_matrix = ::reuleaux::zeros();
                 #(#writes)*
                 let forces: #of_forces = ::core::convert::From::from([#(#forces),*]);
-                ::reuleaux::Loads::of(&mut jacobian, &forces, |multipliers| self.actions(state, multipliers))
+                ::reuleaux::Loads::of(&mut jacobian, &forces, #is_driven, |multipliers| self.actions(state, multipliers))
             }
             fn actions(&self, state: &#state<T>, multipliers: &#of_lambda) -> #of_actions {
                 #motion

@@ -6,7 +6,7 @@
 use crate::diag::{Diag, ValueFact};
 use crate::library;
 use crate::quantity::Ambient;
-use crate::syntax::ast::{Expression, ExpressionKind, FrameItem, Item, JointBody, Marks, Mechanism, Statement};
+use crate::syntax::ast::{ComponentItem, Expression, ExpressionKind, FrameItem, Item, JointBody, Marks, Mechanism, Statement};
 
 /// Number of occurrences that suggest space, and of those that suggest the plane.
 #[derive(Default)]
@@ -17,12 +17,10 @@ struct Evidence {
     is_certain: bool,
 }
 
-/// Refuses a planar mechanism in which most vectors have three components.
+/// Refuses a planar mechanism in which most vectors have three components, or a component that `constraint!` checks.
 pub(crate) fn is_meant(tree: &Mechanism, diag: &mut Diag) -> Option<()> {
     if means_space(tree) {
-        // `constraint!` checks components in a mechanism that has the name of one of them.
-        let is_checked = |item: &Item| matches!(item, Item::Component(component) if component.head.name == tree.name);
-        let is_component = tree.items.iter().any(is_checked);
+        let is_component = checked(tree).is_some();
         return diag.refuse(&tree.name, ValueFact::MeansSpace { name: tree.name.to_string(), is_component });
     }
     Some(())
@@ -31,8 +29,16 @@ pub(crate) fn is_meant(tree: &Mechanism, diag: &mut Diag) -> Option<()> {
 /// True for a planar mechanism in which most vectors have three components.
 pub(crate) fn means_space(tree: &Mechanism) -> bool {
     let mut found = Evidence::default();
-    found.items(&tree.items);
+    found.items(checked(tree).map_or(&tree.items, |component| &component.items));
     tree.ambient == Ambient::Plane && found.is_certain && found.space > found.plane && found.space > 1
+}
+
+/// The imported component whose name the mechanism has: that is how `constraint!` checks it.
+fn checked(tree: &Mechanism) -> Option<&ComponentItem> {
+    tree.items.iter().find_map(|item| match item {
+        Item::Component(component) if component.home.is_some() && component.head.name == tree.name => Some(&**component),
+        _ => None,
+    })
 }
 
 impl Evidence {
@@ -43,7 +49,7 @@ impl Evidence {
                 Item::Joint(joint) | Item::Force(joint) => self.joint(&joint.body),
                 Item::Gravity(gravity) => self.vector(&gravity.value),
                 Item::For(repeated) => self.items(&repeated.items),
-                Item::Component(component) => self.items(&component.items),
+                Item::Component(component) if component.home.is_none() => self.items(&component.items),
                 _ => {}
             }
         }

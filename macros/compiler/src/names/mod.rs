@@ -204,8 +204,8 @@ pub(crate) struct Space {
     pub(crate) prefix: String,
     pub(crate) groups: BTreeMap<String, GroupId>,
     pub(crate) order: Vec<GroupId>,
-    /// True if its items see no name of the mechanism.
-    is_closed: bool,
+    /// Of a part of an imported component, its home: its items see no name of the mechanism.
+    pub(crate) home: Option<usize>,
 }
 
 /// A frame with its coordinates, points and axes.
@@ -241,6 +241,9 @@ pub(crate) struct Names {
     pub(crate) definitions: BTreeMap<String, Rc<Definition>>,
     pub(crate) library: BTreeMap<String, Option<Rc<Definition>>>,
     pub(crate) components: BTreeMap<String, ast::Shared<ast::ComponentItem>>,
+    /// What imported components see, and the home of the item that is being resolved.
+    pub(crate) homes: Vec<ast::ComponentHome>,
+    pub(crate) home: Option<usize>,
     /// Names with a predefined meaning that were declared as something else: their uses are ambiguous.
     pub(crate) misused: BTreeSet<String>,
     /// Items being resolved; each is needed by the one before it.
@@ -270,6 +273,8 @@ impl Names {
             definitions,
             library: BTreeMap::new(),
             components: BTreeMap::new(),
+            homes: Vec::new(),
+            home: None,
             misused: BTreeSet::new(),
             open: Vec::new(),
             open_functions: Vec::new(),
@@ -289,9 +294,9 @@ impl Names {
         self.is_abstract
     }
 
-    /// Adds a namespace whose paths begin with `prefix`. `is_closed`: given, true if its items see no name of the mechanism.
-    pub(crate) fn new_space(&mut self, prefix: String, is_closed: bool) -> SpaceId {
-        self.spaces.push(Space { prefix, is_closed, ..Space::default() });
+    /// Adds a namespace whose paths begin with `prefix`. `home`: given, that of an imported component.
+    pub(crate) fn new_space(&mut self, prefix: String, home: Option<usize>) -> SpaceId {
+        self.spaces.push(Space { prefix, home, ..Space::default() });
         SpaceId(self.spaces.len() - 1)
     }
 
@@ -302,7 +307,7 @@ impl Names {
 
     /// Looks a name up for an item of a namespace: there first, then in the mechanism.
     pub(crate) fn visible(&self, space: SpaceId, word: &str) -> Option<GroupId> {
-        let outer = (!self.spaces[space.0].is_closed).then_some(SpaceId::MECHANISM);
+        let outer = self.spaces[space.0].home.is_none().then_some(SpaceId::MECHANISM);
         self.find(space, word).or_else(|| self.find(outer?, word))
     }
 
@@ -313,13 +318,33 @@ impl Names {
         group.is_some_and(|group| self.group(group).sort == Sort::Joint)
     }
 
+    /// Constraint or force that the item being resolved calls by this name, if it is none of the library.
+    pub(crate) fn definition(&self, word: &str) -> Option<&Rc<Definition>> {
+        self.definitions().get(word)
+    }
+
+    /// Those of the mechanism, or of the home of an imported component.
+    pub(crate) fn definitions(&self) -> &BTreeMap<String, Rc<Definition>> {
+        self.home.map_or(&self.definitions, |home| &self.homes[home].definitions)
+    }
+
+    /// A definition of this name that imported components see.
+    pub(crate) fn definition_at_home(&self, word: &str) -> Option<&Rc<Definition>> {
+        self.homes.iter().find_map(|home| home.definitions.get(word))
+    }
+
+    /// The components that an item of a namespace can have parts of.
+    pub(crate) fn components_in(&self, space: SpaceId) -> &BTreeMap<String, ast::Shared<ast::ComponentItem>> {
+        self.spaces[space.0].home.map_or(&self.components, |home| &self.homes[home].components)
+    }
+
     pub(crate) fn group(&self, group: GroupId) -> &NamedItems {
         &self.groups[group.0]
     }
 
     /// The names visible in a namespace, in the order declared.
     pub(crate) fn all(&self, space: SpaceId) -> impl Iterator<Item = &str> {
-        let is_open = space != SpaceId::MECHANISM && !self.spaces[space.0].is_closed;
+        let is_open = space != SpaceId::MECHANISM && self.spaces[space.0].home.is_none();
         let outer = is_open.then(|| self.words(SpaceId::MECHANISM));
         self.words(space).chain(outer.into_iter().flatten())
     }

@@ -26,7 +26,7 @@ impl Elaborator<'_> {
             let body = self.names.frames.len() as u32 - 1;
             self.declare_frame(body, &quaternion);
         }
-        let space = self.names.new_space(format!("{name}."), false);
+        let space = self.names.new_space(format!("{name}."), None);
         self.names.frames.push(FrameScope { name: name.to_owned(), first, coordinates, space });
         FrameId(self.names.frames.len() - 1)
     }

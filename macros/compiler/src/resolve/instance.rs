@@ -111,7 +111,7 @@ impl Elaborator<'_> {
         if library::is_elsewhere(&word, self.names.ambient) {
             return self.refuse(kind, ValueFact::only_elsewhere(word, None, self.names.ambient));
         }
-        let own = self.names.definitions.keys().map(String::as_str);
+        let own = self.names.definitions().keys().map(String::as_str);
         if self.applied.is_some() {
             let laws: Vec<String> = own.chain(library::forces(self.names.ambient)).map(str::to_owned).collect();
             let near = nearest_kind(&word, &laws.iter().map(String::as_str).collect::<Vec<_>>(), |word, known| {
@@ -126,7 +126,7 @@ impl Elaborator<'_> {
 
     /// Constraint with this name, imported or of the library; a library page is parsed once.
     pub(super) fn known_definition(&mut self, word: &str) -> Option<Rc<Definition>> {
-        if let Some(definition) = self.names.definitions.get(word) {
+        if let Some(definition) = self.names.definition(word) {
             return Some(definition.clone());
         }
         if let Some(known) = self.names.library.get(word) {

@@ -85,7 +85,9 @@ impl Elaborator<'_> {
         } else if self.names.components.contains_key(&word) {
             self.diag.refuse::<()>(name, NameFact::Duplicate { name: word, first: "another component" });
         } else {
+            self.names.home = component.home;
             self.once(component, |this| this.head_is_sound(&component.head));
+            self.names.home = None;
             self.names.components.insert(word, component.clone());
         }
     }
@@ -284,7 +286,7 @@ impl Elaborator<'_> {
 
     /// Registers a part: its arguments and the items of its component, in a new namespace.
     fn part(&mut self, part: &ast::Shared<ast::PartItem>, context: &Context, place: usize, register: &mut Register) {
-        let Some(component) = self.component_called(part) else { return };
+        let Some(component) = self.component_called(part, context.space) else { return };
         let word = component.head.name.to_string();
         if self.refused.contains(&Key::from(&component)) {
             return;
@@ -308,7 +310,7 @@ impl Elaborator<'_> {
         });
         // Even if its arguments are wrong, the part is registered for the names in it.
         let slots = slots.unwrap_or_else(|| vec![None; component.head.parameters.len()]);
-        let space = self.names.new_space(format!("{path}."), component.is_imported);
+        let space = self.names.new_space(format!("{path}."), component.home);
         self.names.declared[id.0].progress = Progress::Done(Value::Part(space));
         let inner = Context { space, bound: Rc::default() };
         let made = Rc::new(PartArguments { component: component.clone(), part: part.clone(), slots, outside: context.clone() });
@@ -350,13 +352,13 @@ impl Elaborator<'_> {
     }
 
     /// Component of a part. Reports an unknown name, and returns the component that was probably meant.
-    fn component_called(&mut self, part: &ast::Shared<ast::PartItem>) -> Option<ast::Shared<ast::ComponentItem>> {
+    fn component_called(&mut self, part: &ast::Shared<ast::PartItem>, space: SpaceId) -> Option<ast::Shared<ast::ComponentItem>> {
         let word = part.kind.to_string();
-        if let Some(component) = self.names.components.get(&word) {
+        if let Some(component) = self.names.components_in(space).get(&word) {
             return Some(component.clone());
         }
-        let near = self.nearest(&word, self.names.components.keys().map(String::as_str));
-        let meant = near.as_ref().and_then(|near| self.names.components.get(near)).cloned();
+        let near = self.nearest(&word, self.names.components_in(space).keys().map(String::as_str));
+        let meant = near.as_ref().and_then(|near| self.names.components_in(space).get(near)).cloned();
         let is_force = self.known_definition(&word).map(|found| found.is_force);
         self.once(part, |this| this.refuse::<()>(&part.kind, ArrayFact::UnknownComponent { name: word, near, is_force }));
         meant

@@ -286,7 +286,7 @@ impl Elaborator<'_> {
 
     /// A quantity that a joint names with `let`.
     pub(super) fn quantity_of(&mut self, kind: &str, arguments: &Arguments, name: &str) -> Option<Value> {
-        let definition = self.known_definition(kind)?;
+        let definition = self.known_definition(kind).or_else(|| self.names.definition_at_home(kind).cloned())?;
         let mut scope = Scope { bound: arguments.to_vec(), ..Scope::default() };
         for statement in &definition.statements {
             if let Statement::Let(binding) = statement {

@@ -33,13 +33,15 @@ impl Elaborator<'_> {
     /// Checks one component; returns the components that were expanded.
     fn unused(&mut self, component: &ast::Shared<ast::ComponentItem>, register: &Register) -> Vec<ast::ItemId> {
         let word = component.head.name.to_string();
-        let context = Context { space: self.names.new_space(format!("{word}."), component.is_imported), bound: Rc::default() };
+        let context = Context { space: self.names.new_space(format!("{word}."), component.home), bound: Rc::default() };
         // Its parameters are numbered after those of the mechanism, which it can use.
         let known = register.parameters.len();
         let mut own = Register::default();
         own.parameters.clone_from(&register.parameters);
         own.places.push(OpenPart { component: Some(component.clone()), ..OpenPart::default() });
-        let definitions: Vec<ast::Definition> = self.names.definitions.values().map(|definition| (**definition).clone()).collect();
+        self.names.home = component.home;
+        let definitions: Vec<ast::Definition> = self.names.definitions().values().map(|definition| (**definition).clone()).collect();
+        self.names.home = None;
         for (number, formal) in component.head.parameters.iter().enumerate() {
             let Some(value) = self.unknown(&formal.kind, &definitions) else { return Vec::new() };
             self.declare(

@@ -17,6 +17,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     hints::is_meant(tree, diag)?;
     let definitions = definitions.into_iter().map(|(name, definition)| (name, Rc::new(definition))).collect();
     let mut work = Elaborator::new(diag, Names::new(definitions, tree.ambient));
+    work.names.homes.clone_from(&tree.homes);
     work.judges_rows = tree.task.is_determined() && tree.closing == ast::Closing::Deny;
     let register = work.register(&tree.items);
     if work.diag.is_exhausted() {
@@ -100,6 +101,7 @@ pub(crate) struct Outline {
 pub(crate) fn outline(tree: &ast::Mechanism) -> Outline {
     let mut diag = Diag::default();
     let mut work = Elaborator::new(&mut diag, Names::new(BTreeMap::new(), tree.ambient));
+    work.names.homes.clone_from(&tree.homes);
     let register = work.register(&tree.items);
     let layout = work.layout(&register);
     let mut methods = work.methods(&layout, &register, &vec![None; register.outputs.len()], tree);
@@ -139,8 +141,9 @@ impl Elaborator<'_> {
         let (name, context) = (name.clone(), context.clone());
         let place = is_one_of_many(&context).then(|| format!("in `{name}`"));
         let outer = self.space.item.replace(name.clone());
+        let home = std::mem::replace(&mut self.names.home, self.names.spaces[context.space.0].home);
         let found = self.at(place, |this| this.once(item, |this| look(this, &name, &context)));
-        self.space.item = outer;
+        (self.space.item, self.names.home) = (outer, home);
         found
     }
 

@@ -14,7 +14,7 @@ pub use expression::{Expression, ExpressionKind, Operator, Relation};
 pub use node::{ItemId, Shared};
 pub use options::{Closing, Following, Requests, Task};
 pub(crate) use repeated::outermost_first;
-pub use repeated::{ComponentItem, For, IndexRange, PartItem};
+pub use repeated::{ComponentHome, ComponentItem, For, IndexRange, PartItem};
 
 use crate::diag::Range;
 use crate::quantity::{Ambient, Dim};
@@ -43,6 +43,8 @@ pub struct Mechanism {
     pub ambient: Ambient,
     /// Items between the braces, in the order written.
     pub items: Vec<Item>,
+    /// What imported components see.
+    pub homes: Vec<ComponentHome>,
     /// True if a mass is written somewhere, also where it could not be read.
     pub mentions_masses: bool,
 }

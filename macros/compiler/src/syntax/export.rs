@@ -9,9 +9,9 @@ use crate::diag::Diag;
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
-use syn::token;
+use syn::{LitStr, token};
 
-/// `pub constraint name(parameters) { statements }` or `pub bundle name { constraints }`, any number.
+/// `pub constraint name(parameters) { statements }`, `pub component Name(parameters) { items }` or `pub bundle name { definitions }`, any number.
 pub(super) fn definitions(input: ParseStream, diag: &mut Diag) -> Option<Definitions> {
     let mut exports = Vec::new();
     while !input.is_empty() {
@@ -28,19 +28,21 @@ pub(super) fn definitions(input: ParseStream, diag: &mut Diag) -> Option<Definit
     Some(Definitions { exports })
 }
 
-/// Definitions as handed over by an exported name: its own, and in braces those that its components call.
+/// Definitions as handed over by an exported name: its own, and in braces those that its components call. If there are components, the name of
+/// their crate stands first.
 pub(super) fn exported(input: ParseStream, diag: &mut Diag) -> Option<Vec<Handed>> {
     let mut handed = Vec::new();
+    let origin = input.parse::<LitStr>().map_or_else(|_| String::new(), |origin| origin.value());
     while !input.is_empty() {
         if input.peek(token::Brace) {
             let content = report(block(input, "`{`"), diag)?;
             let fellows = exported(&content, diag)?;
-            handed.extend(fellows.into_iter().map(|fellow| Handed { is_named: false, ..fellow }));
+            handed.extend(fellows.into_iter().map(|fellow| Handed { is_named: false, origin: origin.clone(), ..fellow }));
             continue;
         }
         let begin = input.fork();
         let defined = report(defined(input, diag), diag)?;
-        handed.push(Handed { defined, tokens: report(between(&begin, input), diag)?, is_named: true });
+        handed.push(Handed { defined, tokens: report(between(&begin, input), diag)?, is_named: true, origin: origin.clone() });
     }
     Some(handed)
 }
@@ -117,7 +119,7 @@ fn bundle(input: ParseStream, diag: &mut Diag) -> Parsed<Export> {
     let visibility = visibility(input)?;
     Ident::parse_any(input)?;
     let name = name(input, "the name of the bundle")?;
-    let content = block(input, "`{` and the constraints of the bundle")?;
+    let content = block(input, "`{` and the definitions of the bundle")?;
     let tokens: TokenStream = content.fork().parse()?;
     let (mut definitions, mut members) = (Vec::new(), Vec::new());
     while !content.is_empty() {

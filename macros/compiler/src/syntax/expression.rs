@@ -216,8 +216,8 @@ fn number(input: ParseStream) -> Parsed<Expression> {
         _ => return wrong(range, GrammarFact::NotANumber { found: literal_kind(&literal) }),
     };
     if is_unit(input) {
-        let (number, unit) = (literal.to_token_stream().to_string(), input.parse::<Ident>()?);
-        return wrong(range.to(&unit), GrammarFact::SpaceBeforeUnit { number, unit: unit.to_string() });
+        let (number, next) = (literal.to_token_stream().to_string(), input.parse::<Ident>()?);
+        return wrong(range.to(&next), GrammarFact::SpaceBeforeUnit { number, suffix: unit, unit: next.to_string() });
     }
     node(ExpressionKind::Number { digits, unit }, range)
 }

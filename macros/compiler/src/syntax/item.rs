@@ -1,8 +1,8 @@
 //! Parses the items of a mechanism.
 
 use super::ast::{
-    Closing, ComponentItem, Docs, Expression, ExpressionKind, Following, FunctionItem, Gravity, Item, JointItem, Limits, Mechanism,
-    ParameterItem, Requests, Shared, StartItem, Task, TimeRange, Use,
+    Closing, ComponentHome, ComponentItem, Docs, Expression, ExpressionKind, Following, FunctionItem, Gravity, Item, JointItem, Limits,
+    Mechanism, ParameterItem, Requests, Shared, StartItem, Task, TimeRange, Use,
 };
 use super::definition::{ambient, binding};
 use super::dimension::{dimension, required_dimension};
@@ -83,7 +83,8 @@ fn head(input: ParseStream) -> Parsed<Mechanism> {
     let ambient = ambient(input)?.unwrap_or_default();
     let Options { task, closing, following, allows_far_start, requests } = options;
     let (items, mentions_masses) = (Vec::new(), false);
-    Ok(Mechanism { docs, task, closing, following, allows_far_start, requests, visibility, name, ambient, items, mentions_masses })
+    let homes = Vec::new();
+    Ok(Mechanism { docs, task, closing, following, allows_far_start, requests, visibility, name, ambient, items, homes, mentions_masses })
 }
 
 /// A mechanism whose head has a mistake: its name, and `in space` if written.
@@ -92,22 +93,19 @@ fn salvaged(head: ParseStream) -> Option<Mechanism> {
     Some(without_items(name, ambient(head).ok().flatten().unwrap_or_default()))
 }
 
-/// A mechanism without parts, which has these components.
-pub(super) fn of_components(name: Ident, ambient: Ambient, components: Vec<ComponentItem>) -> Mechanism {
-    with_components(&without_items(name, ambient), components)
-}
-
-/// A mechanism with imported components.
-pub(super) fn with_components(tree: &Mechanism, components: Vec<ComponentItem>) -> Mechanism {
+/// A mechanism with imported components, and what they see.
+pub(super) fn with_components(tree: &Mechanism, components: Vec<Shared<ComponentItem>>, homes: Vec<ComponentHome>) -> Mechanism {
     let mut whole = tree.clone();
-    whole.items.extend(components.into_iter().map(|component| Item::Component(Shared::new(component))));
+    whole.items.extend(components.into_iter().map(Item::Component));
+    whole.homes = homes;
     if whole.task == Task::Kinematics && has_freedoms(&whole.items) {
         whole.task = Task::Motion;
     }
     whole
 }
 
-fn without_items(name: Ident, ambient: Ambient) -> Mechanism {
+/// A mechanism of which only the name is known.
+pub(super) fn without_items(name: Ident, ambient: Ambient) -> Mechanism {
     Mechanism {
         docs: Docs::default(),
         task: Task::default(),
@@ -119,6 +117,7 @@ fn without_items(name: Ident, ambient: Ambient) -> Mechanism {
         name,
         ambient,
         items: Vec::new(),
+        homes: Vec::new(),
         mentions_masses: false,
     }
 }

@@ -22,7 +22,7 @@ mod tokens;
 
 use crate::diag::{Diag, GrammarFact, Refusal};
 use crate::quantity::Ambient;
-use ast::{ComponentItem, Definitions, Expression, FunctionItem, Handed, Mechanism};
+use ast::{ComponentHome, ComponentItem, Definitions, Expression, FunctionItem, Handed, Mechanism, Shared};
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 use std::collections::BTreeSet;
 use syn::parse::{ParseStream, Parser};
@@ -45,14 +45,14 @@ pub(crate) fn parse_exported(tokens: TokenStream, diag: &mut Diag) -> Option<Vec
     run(tokens, diag, export::exported)
 }
 
-/// A mechanism with imported components.
-pub(crate) fn with_components(tree: &Mechanism, components: Vec<ComponentItem>) -> Mechanism {
-    item::with_components(tree, components)
+/// A mechanism with imported components, and what they see.
+pub(crate) fn with_components(tree: &Mechanism, components: Vec<Shared<ComponentItem>>, homes: Vec<ComponentHome>) -> Mechanism {
+    item::with_components(tree, components, homes)
 }
 
-/// A mechanism without parts, in which these components are checked.
-pub(crate) fn of_components(name: Ident, ambient: Ambient, components: Vec<ComponentItem>) -> Mechanism {
-    item::of_components(name, ambient, components)
+/// A mechanism without items.
+pub(crate) fn without_items(name: Ident, ambient: Ambient) -> Mechanism {
+    item::without_items(name, ambient)
 }
 
 /// Words that are called, as in `word(…)`, and kinds of joints that are taken, as in `Joint(word)`.
@@ -61,12 +61,12 @@ pub(crate) fn called(tokens: TokenStream) -> BTreeSet<String> {
     while let Some(tokens) = pending.pop() {
         let mut last: Option<String> = None;
         for token in tokens {
-            let word = if let TokenTree::Ident(word) = &token { Some(word.to_string()) } else { None };
+            let word = if let TokenTree::Ident(word) = &token { Some(plain(word)) } else { None };
             if let TokenTree::Group(group) = token {
                 let is_call = group.delimiter() == Delimiter::Parenthesis;
                 let taken = group.stream().into_iter().next().filter(|_| is_call && last.as_deref() == Some("Joint"));
                 words.extend(last.take().filter(|_| is_call));
-                words.extend(taken.map(|kind| kind.to_string()));
+                words.extend(taken.map(|kind| kind.to_string().trim_start_matches("r#").to_owned()));
                 pending.push(group.stream());
             }
             last = word;
@@ -100,6 +100,11 @@ fn too_deep(tokens: &TokenStream) -> Option<Span> {
         }
     }
     None
+}
+
+/// A name without `r#`.
+pub(crate) fn plain(name: &Ident) -> String {
+    name.to_string().trim_start_matches("r#").to_owned()
 }
 
 fn run<T>(tokens: TokenStream, diag: &mut Diag, parse: fn(ParseStream, &mut Diag) -> Option<T>) -> Option<T> {

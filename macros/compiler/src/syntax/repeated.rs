@@ -33,7 +33,7 @@ pub(super) fn component(input: ParseStream, docs: Docs, outer: Option<Ambient>, 
         docs: docs.clone(),
         head: Definition { docs, name, parameters, ambient: own, is_force: false, statements: Vec::new() },
         items,
-        is_imported: outer.is_none(),
+        home: None,
     })
 }
 

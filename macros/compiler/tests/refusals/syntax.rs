@@ -93,6 +93,7 @@ crate::refusals! {
     item constant_of_rust: "drive a = drive_angle(ram, «std::f64::consts::PI» * 1rad);" => "`std::f64::consts::PI` is a constant of Rust\nhelp: write `pi`";
     item body_misspelt: "«bodie» b { }" => "`bodie` is no item of a mechanism\nhelp: did you mean `body`?\nnote: items are `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `start`, `output`, `range`, `part`, `for`, `component`, `function` and `use`";
     item operator_missing_after_a_unit: "drive second = drive_angle(crank, «60rpm t»);" => "an operator is missing between `60rpm` and `t`\nhelp: write `60rpm * t`";
+    item unit_apart_after_an_exponent: "param width: Length = «1e-3 m»;" => "a unit stands right behind its number\nhelp: write `1e-3m`";
     item unit_apart: "param stiffness: Torque = «5N m»;" => "a unit stands right behind its number\nhelp: write `5Nm`";
 }
 

@@ -88,7 +88,7 @@ impl Display for EquationFact {
                 write!(f, "\nhelp: write `at {point}: {force};` for a force at a point, `on {body}: {torque};` for a torque")
             }
             EquationFact::EmptyBundle { name } => {
-                write!(f, "the bundle `{name}` has no constraints\nhelp: put `constraint name(…) {{ … }}` into it")
+                write!(f, "the bundle `{name}` is empty\nhelp: put `constraint name(…) {{ … }}` or `component Name(…) {{ … }}` into it")
             }
             EquationFact::GroundStart => {
                 write!(f, "ground does not move: it has no start values\nhelp: a frame that stands elsewhere is a body with a `weld`")

@@ -218,9 +218,8 @@ impl Display for GrammarFact {
             GrammarFact::DoubleStar => write!(f, "`**` is no operator\nhelp: a power is written `a^b`"),
             GrammarFact::MethodCall { name } if is_power(name) => write!(f, "there are no methods here\nhelp: a power is written `a^b`"),
             GrammarFact::MethodCall { name } => write!(f, "there are no methods here\nhelp: write `{name}(value)` for `value.{name}()`"),
-            GrammarFact::SpaceBeforeUnit { number, unit } => {
-                let joined: String = number.chars().skip_while(|digit| !digit.is_alphabetic()).chain(unit.chars()).collect();
-                if crate::quantity::unit(&joined).is_some() {
+            GrammarFact::SpaceBeforeUnit { number, suffix, unit } => {
+                if crate::quantity::unit(&format!("{suffix}{unit}")).is_some() {
                     return write!(f, "a unit stands right behind its number\nhelp: write `{number}{unit}`");
                 }
                 write!(f, "an operator is missing between `{number}` and `{unit}`\nhelp: write `{number} * {unit}`")

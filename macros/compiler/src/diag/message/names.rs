@@ -195,9 +195,9 @@ impl Display for NameFact {
             }
             NameFact::Duplicate { name, .. } if name == "gravity" => write!(f, "there is one gravity only\nhelp: take one of them away"),
             NameFact::Duplicate { name, first } => write!(f, "the name `{name}` is taken: {first} has it\nhelp: choose another name"),
-            NameFact::CalledByComponent { name, component, can_be_renamed } => {
-                write!(f, "the imported component `{component}` calls another `{name}`, its own or that of the library")?;
-                if *can_be_renamed { write!(f, "\nhelp: bring this one in by another name, `use … as …;`") } else { Ok(()) }
+            NameFact::BroughtAlong { name, by } => {
+                write!(f, "`{by}` brings a component `{name}` of its own along, and another one has this name here")?;
+                write!(f, "\nhelp: give the other one another name, in a `use` item by `use … as …;`")
             }
             NameFact::DuplicateMark { name, body } => write!(f, "`{body}` has another `{name}` already\nhelp: choose another name"),
             NameFact::DuplicateStart { name, body } => {

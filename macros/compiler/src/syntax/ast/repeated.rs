@@ -3,6 +3,7 @@
 use super::{Argument, Definition, Docs, Expression, FormalKind, Item, Shared};
 use crate::quantity::Dim;
 use proc_macro2::Ident;
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// `component Name(parameters) { items }`
@@ -14,8 +15,17 @@ pub struct ComponentItem {
     pub head: Definition,
     /// Items between the braces, in the order written.
     pub items: Vec<Item>,
-    /// True if it was defined in `constraint!`: it sees no name of the mechanism.
-    pub is_imported: bool,
+    /// For one that was defined in `constraint!`, the number of its home in the mechanism: it sees no name of the mechanism itself.
+    pub home: Option<usize>,
+}
+
+/// The definitions of `constraint!` that the components of one `use` item see, under the names that they have there.
+#[derive(Clone, Debug, Default)]
+pub struct ComponentHome {
+    /// Constraints and forces.
+    pub definitions: BTreeMap<String, Rc<Definition>>,
+    /// Components.
+    pub components: BTreeMap<String, Shared<ComponentItem>>,
 }
 
 impl ComponentItem {
