@@ -76,19 +76,18 @@ fn has_component(tokens: &TokenStream) -> bool {
 /// Components, each with the tokens that are handed over for it.
 pub(crate) fn components(definitions: &Definitions) -> Vec<(&ComponentItem, TokenStream)> {
     let exports = &definitions.exports;
-    let of_export = |export| {
+    let mut found = Vec::new();
+    for export in exports {
         let beside = Beside { export, exports, is_broken: false };
-        let handed = move |defined| match defined {
-            &Defined::Component(ref component) => {
+        for defined in &export.definitions {
+            if let Defined::Component(component) = defined {
                 let name = &component.head.name;
                 let tokens = export.members.iter().find(|(member, _)| member == name).map_or(&export.tokens, |(_, tokens)| tokens);
-                Some((component, beside.handed(&[name], tokens)))
+                found.push((component, beside.handed(&[name], tokens)));
             }
-            Defined::Constraint(_) => None,
-        };
-        export.definitions.iter().filter_map(handed)
-    };
-    exports.iter().flat_map(of_export).collect()
+        }
+    }
+    found
 }
 
 fn exported(export: &Export, beside: &Beside) -> TokenStream {
