@@ -124,7 +124,8 @@ fn continued(tree: &ast::Mechanism, tokens: TokenStream, known: TokenStream, mut
         return export::resume(missing, &known, &tokens);
     }
     let imported = import::imported(tree, known, &mut diag);
-    let whole = &syntax::with_components(tree, imported.components, imported.homes);
+    let whole = (!imported.components.is_empty()).then(|| syntax::with_components(tree, imported.components, imported.homes));
+    let whole = whole.as_ref().unwrap_or(tree);
     let compiled = rooms(whole, imported.definitions, &mut diag);
     let doubts = compiled.as_ref().map_or(&[][..], |compiled| &compiled.model.doubts);
     let unused = diag::of_unused(&hints::unused(tree, tokens, doubts));

@@ -7,7 +7,7 @@ use crate::diag::Diag;
 use crate::quantity::Ambient;
 use crate::syntax::{
     self,
-    ast::{Defined, Definition, FunctionItem, Shared},
+    ast::{Definition, FunctionItem, Shared},
 };
 use proc_macro2::TokenStream;
 use std::rc::Rc;
@@ -226,8 +226,7 @@ pub(crate) fn find(name: &str, ambient: Ambient) -> Option<Rc<Definition>> {
     let (_, text) = of(ambient).chain(forces_of(ambient)).find(|(known, _)| *known == name)?;
     let tokens = TokenStream::from_str(text).ok()?;
     // The tests of this crate find a page that does not parse.
-    let handed = syntax::parse_exported(tokens, &mut Diag::default())?.into_iter().next()?;
-    if let Defined::Constraint(definition) = handed.defined { Some(Rc::new(definition)) } else { None }
+    syntax::parse_definition(tokens, &mut Diag::default()).map(Rc::new)
 }
 
 /// True for a force of the library, in the plane or in space.

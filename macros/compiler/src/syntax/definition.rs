@@ -4,14 +4,19 @@ use super::ast::{Added, Applied, Condition, Definition, ExpressionKind, Formal, 
 use super::dimension::{dimension, required_dimension};
 use super::expression::{declared, expression, relation, value};
 use super::tokens::{
-    Parsed, arrow, block, comma, docs, equals, expected, keyword, name, parentheses, semicolon, statement_text, visibility, wrong,
+    Parsed, arrow, block, comma, docs, equals, expected, keyword, name, parentheses, report, semicolon, statement_text, visibility, wrong,
 };
-use crate::diag::{GrammarFact, MotionFact};
+use crate::diag::{Diag, GrammarFact, MotionFact};
 use crate::quantity::Ambient;
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{LitStr, Token, token};
+
+/// A definition of the library.
+pub(super) fn single_definition(input: ParseStream, diag: &mut Diag) -> Option<Definition> {
+    report(definition(input), diag)
+}
 
 /// `constraint name(parameters) { statements }`, or the same with `force`
 pub(super) fn definition(input: ParseStream) -> Parsed<Definition> {

@@ -22,7 +22,7 @@ mod tokens;
 
 use crate::diag::{Diag, GrammarFact, Refusal};
 use crate::quantity::Ambient;
-use ast::{ComponentHome, ComponentItem, Definitions, Expression, FunctionItem, Handed, Mechanism, Shared};
+use ast::{ComponentHome, ComponentItem, Definition, Definitions, Expression, FunctionItem, Handed, Mechanism, Shared};
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 use std::collections::BTreeSet;
 use syn::parse::{ParseStream, Parser};
@@ -73,6 +73,11 @@ pub(crate) fn called(tokens: TokenStream) -> BTreeSet<String> {
         }
     }
     words
+}
+
+/// Parses a constraint or a force of the library.
+pub(crate) fn parse_definition(tokens: TokenStream, diag: &mut Diag) -> Option<Definition> {
+    run(tokens, diag, definition::single_definition)
 }
 
 /// Parses a function of the library.
