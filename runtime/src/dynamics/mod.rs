@@ -48,6 +48,6 @@ pub use sweep::MotionSweep;
 #[doc(hidden)]
 pub mod motion {
     pub use super::checks::misfit;
-    pub use super::project::{enter, initial_state, refresh, refresh_inlined};
+    pub use super::project::{complete, enter, initial_state, refresh, refresh_inlined};
     pub use super::step::fixed_step;
 }

@@ -214,25 +214,49 @@ where
     };
     let mut qdd = state.qdd;
     put(&mut qdd, &S::INTEGRATED, &found);
-    let completed = mechanism.complete(&state.q, &state.qd, &qdd, state.t);
-    enter(mechanism, state, completed)
+    let [q, qd, qdd] = mechanism.complete(&state.q, &state.qd, &qdd, state.t);
+    if !(is_finite(&q) && is_finite(&qd) && is_finite(&qdd)) {
+        return Err(Stopped::NotFinite { time: state.t });
+    }
+    (state.q, state.qd, state.qdd) = (q, qd, qdd);
+    state.parameter_hash = mechanism.parameter_hash();
+    Ok(())
 }
 
-/// Gives a state completed entries: positions, speeds, and accelerations that follow from them.
-#[inline(always)]
-pub fn enter<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+/// Completes positions and speeds of a state that changed since it was solved: they follow from those that are integrated.
+#[cold]
+#[inline(never)]
+pub fn complete<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     state: &mut State<T, N>,
-    [q, qd, qdd]: [SVector<T, N>; 3],
 ) -> Result<(), Stopped<T>>
 where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    if !(is_finite(&q) && is_finite(&qd) && is_finite(&qdd)) {
+    let [q, qd, _] = mechanism.complete(&state.q, &state.qd, &state.qdd, state.t);
+    if !(is_finite(&q) && is_finite(&qd)) {
         return Err(Stopped::NotFinite { time: state.t });
     }
-    (state.q, state.qd, state.qdd) = (q, qd, qdd);
+    (state.q, state.qd) = (q, qd);
+    Ok(())
+}
+
+/// Gives a state the accelerations that follow from its positions and speeds.
+#[inline(always)]
+pub fn enter<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    state: &mut State<T, N>,
+    qdd: SVector<T, N>,
+) -> Result<(), Stopped<T>>
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    if !is_finite(&qdd) {
+        return Err(Stopped::NotFinite { time: state.t });
+    }
+    state.qdd = qdd;
     state.parameter_hash = mechanism.parameter_hash();
     Ok(())
 }

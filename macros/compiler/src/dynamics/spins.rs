@@ -1,8 +1,10 @@
-//! Accelerations in closed form by ω in the axes of the bodies that are free to turn.
+//! Accelerations in closed form by components of ω of the bodies that are free to turn.
 //!
 //! ```text
-//! ω = h vec(ē ė),                                 h = 2/(e · e)
+//! ω = h vec(ē ė),                                 h = 2/(e · e)                        in the axes of the body
 //! ë = e (−(ė · ė)/(e · e), (ω̇ + h (e · ė) ω)/2)   from e · ë = −ė · ė and ω̇ = h vec(ē ë) − h (e · ė) ω
+//! ω = h vec(ė ē),   ë = (−(ė · ė)/(e · e), (ω̇ + h (e · ė) ω)/2) e                      in the axes of ground
+//! ω = B w,   ω̇ = B (ẇ + ω_B × w)                  w: the components of ω in the axes B of another body, which turn with ω_B
 //! ```
 //!
 //! e is the quaternion of a body, products are those of quaternions. e · ė is zero at both ends of a step, but not between them. It is not left
@@ -14,10 +16,10 @@ use super::order::{Grouping, OpenRows};
 use super::trust::Trust;
 use super::{MotionRow, freedoms, in_general, masses, plain, power_of_two};
 use crate::assembly::Assembly;
-use crate::expr::{Arena, Expr, Leaf, Lookup, Substitution, Triple, Values, cross, dot, evaluate};
+use crate::expr::{Arena, Expr, Leaf, Lookup, Substitution, Triple, Values, combination, cross, dot, evaluate};
 use crate::numeric::Numeric;
 use crate::quantity::{Axis, Role};
-use crate::system::EquationsBySpins;
+use crate::system::{Along, EquationsBySpins, QuaternionSpin};
 
 /// Equations of motion by ω.
 #[derive(Clone, Debug)]
@@ -28,8 +30,7 @@ pub(super) struct BySpins {
     initial: Vec<MotionRow>,
     mass: Vec<Expr>,
     forces: Vec<Expr>,
-    /// Number of the first component of each quaternion.
-    quaternions: Vec<usize>,
+    quaternions: Vec<QuaternionSpin>,
 }
 
 impl BySpins {
@@ -40,7 +41,7 @@ impl BySpins {
             equations: plain(arena, known, equations),
             of_speeds: plain(arena, known, of_speeds),
             forces: forces.iter().map(|force| arena.plain(*force, known)).collect(),
-            quaternions: quaternions.clone(),
+            quaternions: quaternions.iter().map(|spin| spin.plain(arena, known)).collect(),
         }
     }
 
@@ -57,7 +58,7 @@ impl BySpins {
         let EquationsBySpins { equations, of_speeds, forces, quaternions } = equations;
         let constraints: Vec<_> = (0..equations.len()).filter(|row| is_solved(row)).map(|row| equations[row].clone()).collect();
         let masses = masses(arena, forces);
-        let is_speed = |number: &usize| !quaternions.iter().any(|first| first + 3 == *number);
+        let is_speed = |number: &usize| !quaternions.iter().any(|spin| spin.first + 3 == *number);
         let mut embedding = Embedding::new(arena, (0..forces.len()).filter(is_speed).collect());
         embedding.follow(explicit, &constraints);
         let is_left = |row: &usize| !explicit.iter().any(|(solved, _)| solved == row) && !constraints[*row].jacobian.is_empty();
@@ -103,13 +104,15 @@ impl BySpins {
     }
 
     fn is_spin(&self, speed: usize) -> bool {
-        self.quaternions.iter().any(|first| (*first..first + 3).contains(&speed))
+        self.quaternions.iter().any(|spin| (spin.first..spin.first + 3).contains(&speed))
     }
 
     /// Grouping of the vectors of bodies.
     fn triples(&self, numeric: &Numeric) -> Vec<[usize; 3]> {
-        let is_first =
-            |speed: &usize| matches!(numeric.system.coordinates[*speed].role, Role::Position(Axis::X)) || self.quaternions.contains(speed);
+        let is_first = |speed: &usize| {
+            let is_position = matches!(numeric.system.coordinates[*speed].role, Role::Position(Axis::X));
+            is_position || self.quaternions.iter().any(|spin| spin.first == *speed)
+        };
         let place = |speed: usize| self.speeds.iter().position(|other| *other == speed);
         let triple = |speed: &usize| Some([place(*speed)?, place(speed + 1)?, place(speed + 2)?]);
         self.speeds.iter().filter(|speed| is_first(speed)).filter_map(triple).collect()
@@ -117,10 +120,10 @@ impl BySpins {
 
     /// Accelerations of the coordinates of a state, with ω as a function of its rates.
     fn by_coordinates(&self, arena: &mut Arena, integrated: &[usize], found: Accelerations) -> Accelerations {
-        let quaternions: Vec<Quaternion> = self.quaternions.iter().map(|first| Quaternion::new(arena, *first)).collect();
+        let quaternions: Vec<Quaternion> = self.quaternions.iter().map(|spin| Quaternion::new(arena, *spin)).collect();
         let mut spins = Substitution::new();
         for quaternion in &quaternions {
-            (quaternion.first as u32..).zip(quaternion.spin).for_each(|(number, spin)| spins.replace(Leaf::Speed(number), spin));
+            (quaternion.first as u32..).zip(quaternion.components).for_each(|(number, spin)| spins.replace(Leaf::Speed(number), spin));
         }
         let mut of = |expr: Expr| spins.of(arena, expr);
         let values: Vec<Expr> = found.values.into_iter().map(&mut of).collect();
@@ -128,9 +131,26 @@ impl BySpins {
         let mut values: Lookup<usize, Expr> = self.speeds.iter().copied().zip(values).collect();
         for quaternion in &quaternions {
             let changes = [0, 1, 2].map(|k| values[&(quaternion.first + k)]);
-            values.extend((quaternion.first..).zip(quaternion.second_derivative(arena, changes)));
+            let turning = match quaternion.along {
+                Along::Axes { first, .. } => quaternions.iter().find(|other| other.first == first).map(|other| other.components),
+                Along::Own | Along::Ground => None,
+            };
+            values.extend((quaternion.first..).zip(quaternion.second_derivative(arena, changes, turning)));
         }
         Accelerations { values: integrated.iter().map(|unknown| values[unknown]).collect(), checks }
+    }
+}
+
+impl QuaternionSpin {
+    /// Without marks.
+    fn plain(self, arena: &mut Arena, known: &mut Lookup<Expr, Expr>) -> QuaternionSpin {
+        let along = match self.along {
+            Along::Axes { columns, first } => {
+                Along::Axes { columns: columns.map(|column| column.map(|part| arena.plain(part, known))), first }
+            }
+            along => along,
+        };
+        QuaternionSpin { along, ..self }
     }
 }
 
@@ -138,6 +158,7 @@ impl BySpins {
 struct Quaternion {
     /// Number of its first component.
     first: usize,
+    along: Along,
     /// e
     scalar: Expr,
     vector: Triple,
@@ -147,12 +168,14 @@ struct Quaternion {
     growth: Expr,
     /// ė · ė
     square: Expr,
-    /// ω in the axes of the body.
+    /// ω in the axes of the body, or in those of ground.
     spin: Triple,
+    /// ω by the components that are speeds.
+    components: Triple,
 }
 
 impl Quaternion {
-    fn new(arena: &mut Arena, first: usize) -> Quaternion {
+    fn new(arena: &mut Arena, QuaternionSpin { first, along }: QuaternionSpin) -> Quaternion {
         let [components, rates] = [Leaf::Coordinate, Leaf::Speed].map(|leaf| [0, 1, 2, 3].map(|k| arena.leaf(leaf((first + k) as u32))));
         let sum_of_products = |arena: &mut Arena, a: [Expr; 4], b: [Expr; 4]| {
             let products = [0, 1, 2, 3].map(|k| arena.mul(a[k], b[k]));
@@ -166,19 +189,33 @@ impl Quaternion {
         let inverse = arena.div(h, two);
         let [[scalar, x, y, z], [rate, dx, dy, dz]] = [components, rates];
         let vector = [x, y, z];
-        // vec(ē ė) = e₀ ė − ė₀ e − e × ė
+        // vec(ē ė) = e₀ ė − ė₀ e − e × ė, vec(ė ē) = e₀ ė − ė₀ e + e × ė
         let across = cross(arena, vector, [dx, dy, dz]);
         let spin = [0, 1, 2].map(|k| {
             let (forth, back) = (arena.mul(scalar, [dx, dy, dz][k]), arena.mul(rate, vector[k]));
-            let along = arena.sub(forth, back);
-            let part = arena.sub(along, across[k]);
+            let along_both = arena.sub(forth, back);
+            let part = if along.is_own() { arena.sub(along_both, across[k]) } else { arena.add(along_both, across[k]) };
             arena.mul(h, part)
         });
-        Quaternion { first, scalar, vector, inverse, growth: arena.mul(h, growth), square, spin }
+        let components = match along {
+            Along::Axes { columns, .. } => columns.map(|axis| dot(arena, axis, spin)),
+            Along::Own | Along::Ground => spin,
+        };
+        Quaternion { first, along, scalar, vector, inverse, growth: arena.mul(h, growth), square, spin, components }
     }
 
-    /// ë, from ω̇.
-    fn second_derivative(&self, arena: &mut Arena, changes: Triple) -> [Expr; 4] {
+    /// ë, from ẇ.
+    ///
+    /// * `turning`: given, ω of the body along whose axes w has its components, by those axes.
+    fn second_derivative(&self, arena: &mut Arena, changes: Triple, turning: Option<Triple>) -> [Expr; 4] {
+        let changes = match (self.along, turning) {
+            (Along::Axes { columns, .. }, Some(turning)) => {
+                let swing = cross(arena, turning, self.components);
+                let changes = [0, 1, 2].map(|k| arena.add(changes[k], swing[k]));
+                combination(arena, changes, columns)
+            }
+            _ => changes,
+        };
         let two = arena.integer(2);
         let part = arena.mul(self.square, self.inverse);
         let part = arena.neg(part);
@@ -192,7 +229,7 @@ impl Quaternion {
         let [x, y, z] = [0, 1, 2].map(|k| {
             let (own, other) = (arena.mul(self.scalar, turned[k]), arena.mul(part, self.vector[k]));
             let sum = arena.add(own, other);
-            arena.add(sum, across[k])
+            if self.along.is_own() { arena.add(sum, across[k]) } else { arena.sub(sum, across[k]) }
         });
         [arena.sub(along, against), x, y, z]
     }

@@ -1,13 +1,13 @@
-//! Accelerations, the whole state and its loads in one routine, which computes sines and determinants once.
+//! Accelerations and loads of a state in one routine, which computes sines and determinants once.
 
 use super::{Dynamics, Loads, Multipliers};
 use crate::expr::{Arena, Exact, Expr, Leaf, Lookup, Node};
 
-/// A state and its loads as functions of the integrated coordinates and speeds.
+/// Accelerations and loads as functions of the integrated coordinates and speeds.
 #[derive(Clone, Debug)]
 pub struct WithLoads {
-    /// Value, rate and acceleration of every entry of the state.
-    pub state: Vec<[Expr; 3]>,
+    /// The acceleration of every entry of the state.
+    pub accelerations: Vec<Expr>,
     /// λ, then forces and torques of joints and powers of drives.
     pub loads: Vec<Expr>,
     /// Determinants and pivots of both, each with the number that it has to exceed.
@@ -24,8 +24,8 @@ impl WithLoads {
             known.insert(Leaf::Acceleration(*unknown as u32), *value);
         }
         let own = arena.clone();
-        let mut state = Entering { known: &known, from: &own, memo: Lookup::default() };
-        let state: Vec<[Expr; 3]> = dynamics.state.iter().map(|motion| motion.map(|expr| state.of(arena, expr))).collect();
+        let mut of_state = Entering { known: &known, from: &own, memo: Lookup::default() };
+        let state: Vec<[Expr; 3]> = dynamics.state.iter().map(|motion| motion.map(|expr| of_state.of(arena, expr))).collect();
         for (number, motion) in (0..).zip(&state) {
             let leaves = [Leaf::Coordinate(number), Leaf::Speed(number), Leaf::Acceleration(number)];
             known.extend(leaves.into_iter().zip(*motion));
@@ -34,7 +34,7 @@ impl WithLoads {
         let loads = values.iter().chain(actions).map(|expr| of_loads.of(arena, *expr)).collect();
         let mut together = found.checks.clone();
         together.extend(checks.iter().map(|check| check.map(|expr| of_loads.of(arena, expr))));
-        Some(WithLoads { state, loads, checks: together })
+        Some(WithLoads { accelerations: state.iter().map(|motion| motion[2]).collect(), loads, checks: together })
     }
 }
 

@@ -20,7 +20,7 @@ impl Emitter<'_> {
         let closed = code.closed.as_ref().map(|routine| self.closed_form("loads_in_closed_form", (&code.arena, routine), code, 0));
         let dynamics = self.plan.dynamics.as_ref();
         let both = dynamics.and_then(|found| Some((&found.arena, found.with_loads.as_ref()?)));
-        let both = both.map(|both| self.closed_form("motion_with_loads", both, code, self.system.width()));
+        let both = both.map(|both| self.closed_form("accelerations_with_loads", both, code, self.system.width()));
         let (general, methods) = (self.loads_in_general(code), self.methods_of_loads(code));
         let alone: TokenStream = code.named.iter().filter(|load| load.is_slice).map(|load| self.load_alone(load, code)).collect();
         let (m, width, allowed) = (number(code.multipliers), number(code.width), allowed());
@@ -143,27 +143,28 @@ impl Emitter<'_> {
         quote!(#reads #steps { let [kinetic, potential, power] = [#(#results),*]; ::reuleaux::Energy { kinetic, potential, power } })
     }
 
-    /// The motion of `entries` entries of the state, λ, and the loads of joints and drives; `None` if a pivot is too small.
+    /// The accelerations of `entries` entries of the state, λ, and the loads of joints and drives; `None` if a pivot is too small.
     fn closed_form(&self, name: &str, (arena, routine): (&Arena, &Routine), code: &LoadsCode, entries: usize) -> TokenStream {
         let RoutinePrinter { reads, steps, results } = fast_lines(self.model, arena, routine);
         let (name, state) = (local(name), state_path(&self.model.name));
-        let (entered, rest) = results.split_at(3 * entries);
+        let (accelerations, rest) = results.split_at(entries);
         let (multipliers, rest) = rest.split_at(code.multipliers);
         let (actions, checks) = rest.split_at(code.width);
-        let (parts, are_steady, motion) = (parts(entered), are_steady(checks), motion());
-        let (of_motion, of_lambda, of_actions) = (vector_type(entries), vector_type(code.multipliers), vector_type(code.width));
+        let (are_steady, motion) = (are_steady(checks), motion());
+        let (of_state, of_lambda, of_actions) = (vector_type(entries), vector_type(code.multipliers), vector_type(code.width));
         quote! {
             #[inline(always)]
-            fn #name(&self, state: &#state<T>) -> ::core::option::Option<([#of_motion; 3], #of_lambda, #of_actions)> {
+            fn #name(&self, state: &#state<T>) -> ::core::option::Option<(#of_state, #of_lambda, #of_actions)> {
                 #motion
                 #reads
                 #steps
                 if !(#are_steady) {
                     return ::core::option::Option::None;
                 }
+                let accelerations = ::core::convert::From::from([#(#accelerations),*]);
                 let multipliers = ::core::convert::From::from([#(#multipliers),*]);
                 let actions = ::core::convert::From::from([#(#actions),*]);
-                ::core::option::Option::Some(([#(#parts),*], multipliers, actions))
+                ::core::option::Option::Some((accelerations, multipliers, actions))
             }
         }
     }
@@ -187,8 +188,11 @@ pub(super) fn parts(results: &[TokenStream]) -> [TokenStream; 3] {
 fn accelerate_with_loads(state: &TokenStream, loads: &Ident, are_together: bool) -> TokenStream {
     let together = are_together.then(|| {
         quote! {
-            if let ::core::option::Option::Some((motion, multipliers, actions)) = self.motion_with_loads(state) {
-                ::reuleaux::motion::enter(self, &mut state.0, motion)?;
+            if !::reuleaux::Dynamics::is_current(self, state) {
+                ::reuleaux::motion::complete(self, &mut state.0)?;
+            }
+            if let ::core::option::Option::Some((accelerations, multipliers, actions)) = self.accelerations_with_loads(state) {
+                ::reuleaux::motion::enter(self, &mut state.0, accelerations)?;
                 return ::core::result::Result::Ok(#loads { loads: ::reuleaux::Loads::unique(multipliers, actions) });
             }
         }

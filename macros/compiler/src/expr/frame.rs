@@ -36,13 +36,33 @@ pub struct Frame {
     pub own: Vec<Leaf>,
 }
 
+/// Three speeds that are the components of ω.
+#[derive(Clone, Copy, Debug)]
+pub struct Spin {
+    /// Number of the first.
+    pub first: u32,
+    /// The axes along which the components are.
+    pub axes: SpinAxes,
+}
+
+/// Axes along which ω has its components.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum SpinAxes {
+    /// Those of the frame itself.
+    Own,
+    /// Those of ground.
+    Ground,
+    /// Those of another frame, whose own spin is in its own axes.
+    Of(usize),
+}
+
 /// The frames of an arena, and the vectors fixed in them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Frames {
     frames: Vec<Frame>,
     vectors: Vec<FixedVector>,
-    /// For frames whose speeds are ω in their own axes, the number of the first of these.
-    spins: BTreeMap<usize, u32>,
+    /// For frames whose speeds are the components of ω.
+    spins: BTreeMap<usize, Spin>,
     // Only looked up, never iterated.
     numbers: Lookup<(usize, Triple), u32>,
 }
@@ -65,23 +85,54 @@ impl Arena {
         self.frames.frames.len() - 1
     }
 
-    /// Adds a frame that is free to turn, with ω in its own axes as three speeds, the first of which has the number `first`. The
-    /// coordinates of the same numbers stand for turns about its axes.
-    pub fn add_spinning_frame(&mut self, columns: [Triple; 3], first: u32, own: Vec<Leaf>) -> usize {
-        let (zero, one) = (self.integer(0), self.integer(1));
-        let none = [zero; 3];
-        let turns = (0..3).map(|k: u32| (Leaf::Coordinate(first + k), columns[k as usize])).collect();
-        let frame = Frame { columns, velocity: none, acceleration: none, acceleration_at_constant_speeds: none, turns, against: None, own };
+    /// Adds a frame that is free to turn, whose speeds are components of ω. The coordinates of the same numbers stand for turns about their
+    /// axes.
+    ///
+    /// ```text
+    /// ω = B w,    ω̇ = B (ẇ + ω_B × w)        B: the axes, ω_B: their own spin, of which the cross product vanishes for w itself
+    /// ```
+    pub fn add_spinning_frame(&mut self, columns: [Triple; 3], Spin { first, axes }: Spin, own: Vec<Leaf>) -> usize {
+        let none = [self.integer(0); 3];
+        let frame = Frame {
+            columns,
+            velocity: none,
+            acceleration: none,
+            acceleration_at_constant_speeds: none,
+            turns: Vec::new(),
+            against: None,
+            own,
+        };
         let number = self.add_frame(frame);
-        self.frames.spins.insert(number, first);
-        let axes = [0, 1, 2].map(|axis| self.turned(number, [0, 1, 2].map(|k| if k == axis { one } else { zero })));
-        let [velocity, acceleration] = [Leaf::Speed, Leaf::Acceleration].map(|leaf| {
-            let own = [0, 1, 2].map(|k| self.leaf(leaf(first + k)));
-            combination(self, own, axes)
-        });
+        self.frames.spins.insert(number, Spin { first, axes });
+        let directions = self.directions_of(number, axes);
+        let [speeds, changes] = [Leaf::Speed, Leaf::Acceleration].map(|leaf| [0, 1, 2].map(|k| self.leaf(leaf(first + k))));
+        let swing = self.swing(axes, speeds);
+        let whole = [0, 1, 2].map(|k| self.add(changes[k], swing[k]));
+        let [velocity, acceleration, acceleration_at_constant_speeds] =
+            [speeds, whole, swing].map(|components| combination(self, components, directions));
+        let turns = (0..).zip(directions).map(|(k, axis)| (Leaf::Coordinate(first + k), axis)).collect();
         let frame = &mut self.frames.frames[number];
-        (frame.velocity, frame.acceleration) = (velocity, acceleration);
+        *frame = Frame { velocity, acceleration, acceleration_at_constant_speeds, turns, ..frame.clone() };
         number
+    }
+
+    /// Axes of ground or of a frame, by components in ground.
+    pub fn directions_of(&mut self, own: usize, axes: SpinAxes) -> [Triple; 3] {
+        let (zero, one) = (self.integer(0), self.integer(1));
+        let unit = |axis: usize| [0, 1, 2].map(|k| if k == axis { one } else { zero });
+        [0, 1, 2].map(|axis| match axes {
+            SpinAxes::Ground => unit(axis),
+            SpinAxes::Own => self.turned(own, unit(axis)),
+            SpinAxes::Of(frame) => self.turned(frame, unit(axis)),
+        })
+    }
+
+    /// ω_B × w of a vector by its components along axes that turn with ω_B; zero where ω_B is w itself.
+    fn swing(&mut self, axes: SpinAxes, components: Triple) -> Triple {
+        let SpinAxes::Of(frame) = axes else { return [self.integer(0); 3] };
+        let Some(Spin { first, .. }) = self.spin(frame) else { return [self.integer(0); 3] };
+        let turning = [0, 1, 2].map(|k| self.leaf(Leaf::Speed(first + k)));
+        cross(self, turning, components)
     }
 
     /// The turns of a body about the axes of ground, each with its axis.
@@ -97,10 +148,15 @@ impl Arena {
         &self.frames.frames[number]
     }
 
-    /// The number of the first of three speeds that are ω in the axes of a frame, if it has such speeds.
+    /// The speeds of a frame that are components of ω, if it has such speeds.
     #[must_use]
-    pub fn spins(&self, frame: usize) -> Option<u32> {
+    pub fn spin(&self, frame: usize) -> Option<Spin> {
         self.frames.spins.get(&frame).copied()
+    }
+
+    /// The number of the first of three speeds that are ω in the axes of the frame itself, if it has such speeds.
+    fn own_spin(&self, frame: usize) -> Option<u32> {
+        self.spin(frame).filter(|spin| spin.axes == SpinAxes::Own).map(|spin| spin.first)
     }
 
     /// True if there are frames that turn in space.
@@ -114,6 +170,12 @@ impl Arena {
     pub fn vector(&self, number: u32) -> (usize, Triple) {
         let FixedVector { frame, local, .. } = self.frames.vectors[number as usize];
         (frame, local)
+    }
+
+    /// The component of a vector along an axis of ground, if it is constant.
+    pub(super) fn constant_component(&self, vector: u32, axis: u8) -> Option<Expr> {
+        let component = self.frames.vectors[vector as usize].components[usize::from(axis)];
+        self.as_constant(component).map(|_| component)
     }
 
     /// A s: a vector fixed in a frame, by its components in ground.
@@ -192,7 +254,7 @@ impl Arena {
 
     /// Local components of a vector that is fixed in a frame with speeds of its own, and the coordinates of the same numbers.
     fn in_spinning_frame(&self, vector: u32, moving: usize) -> Option<(Triple, [Leaf; 3])> {
-        let first = self.spins(moving)?;
+        let first = self.own_spin(moving)?;
         let FixedVector { frame, local, .. } = self.frames.vectors[vector as usize];
         (frame == moving).then_some((local, [0, 1, 2].map(|k| Leaf::Coordinate(first + k))))
     }
@@ -205,7 +267,7 @@ impl Arena {
 
     /// A (ω × s) and A (ω̇ × s + ω × (ω × s)) of one component, with ω in the axes of the frame.
     fn spinning_with(&mut self, frame: usize, local: Triple, axis: u8, speeds_change: bool) -> [Expr; 2] {
-        let (columns, first) = (self.frames.frames[frame].columns, self.spins(frame).unwrap_or(0));
+        let (columns, first) = (self.frames.frames[frame].columns, self.own_spin(frame).unwrap_or(0));
         let [speed, change] = [Leaf::Speed, Leaf::Acceleration].map(|leaf| [0, 1, 2].map(|k| self.leaf(leaf(first + k))));
         let along = cross(self, speed, local);
         let mut second = cross(self, speed, along);

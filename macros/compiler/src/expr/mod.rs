@@ -34,7 +34,7 @@ pub use derivative::{Derivatives, derivative};
 pub(crate) use eval::magnitudes;
 pub use eval::{Evaluator, Values, evaluate};
 pub use exact::Exact;
-pub use frame::{Frame, Triple, combination, cross, dot, unit};
+pub use frame::{Frame, Spin, SpinAxes, Triple, combination, cross, dot, unit};
 pub use jet::{Jets, Seed};
 pub(crate) use lookup::{Lookup, Members};
 pub use node::{Binary, Expr, Leaf, Mark, Node, Unary};

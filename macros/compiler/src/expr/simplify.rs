@@ -9,6 +9,7 @@
 //! sum, or cancels x/x or √x². The sign of a zero may change.
 
 mod constants;
+mod frames;
 mod functions;
 mod identities;
 mod signs;
@@ -57,6 +58,7 @@ pub const RULES: &[Rule] = &[
     rule("one_is_neutral_in_quotients", "x / 1 = x", identities::divide_by_one),
     rule("zero_absorbs_factors", "0 · x = 0", identities::multiply_by_zero),
     rule("zero_absorbs_divisors", "0 / x = 0, x not 0", identities::divide_zero),
+    rule("one_frame_keeps_angles", "A s · A t = s · t, A orthogonal", frames::dot),
     rule("equal_branches_need_no_choice", "a < b ? x : x = x", identities::equal_branches),
     rule("nothing_is_less_than_itself", "x < x ? a : b = b", identities::equal_sides),
     // Minus signs move outward and combine. A negative constant counts as a negated positive one.

@@ -5,6 +5,7 @@ mod derivative;
 mod eval;
 mod exact;
 mod formula;
+mod frame;
 mod gather;
 mod jet;
 mod precise;

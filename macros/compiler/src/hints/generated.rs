@@ -52,7 +52,7 @@ const OF_MOTION: &[&str] = &[
     "step",
     "sweep_from",
     "energy",
-    "motion_with_loads",
+    "accelerations_with_loads",
 ];
 
 /// True if a generated function or constant of this mechanism has the name. Names that begin with two underscores or with `TABLE_` are left to

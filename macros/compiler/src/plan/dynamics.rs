@@ -43,8 +43,7 @@ pub struct DynamicsCode {
     pub masses: Vec<(usize, usize)>,
     /// u̇, then the checked numbers of its computation, each with the number that it has to exceed.
     pub accelerations: Option<Routine>,
-    /// Value, rate and acceleration of every entry of the state with the accelerations of its positions and speeds; λ, the loads of joints and
-    /// drives, and each checked number with its lower bound.
+    /// The acceleration of every entry of the state; λ, the loads of joints and drives, and each checked number with its lower bound.
     pub with_loads: Option<Routine>,
     /// Value, rate and acceleration of every entry of the state.
     pub state: Routine,
@@ -97,7 +96,7 @@ pub(super) fn code(model: &Model, system: &System, dynamics: &Dynamics) -> Dynam
             line(results.copied().collect())
         }),
         with_loads: dynamics.with_loads.as_ref().map(|found| {
-            let results = found.state.iter().flatten().chain(&found.loads).chain(found.checks.iter().flatten());
+            let results = found.accelerations.iter().chain(&found.loads).chain(found.checks.iter().flatten());
             line(results.copied().collect())
         }),
         state: line(state.iter().flatten().copied().collect()),

@@ -7,7 +7,7 @@
 //! ```
 
 use super::dynamics;
-use crate::expr::{Arena, Expr, Leaf, cross, derivative};
+use crate::expr::{Arena, Expr, Leaf, Spin, cross, derivative};
 use crate::model::{Energy, Force, Model, declared_coordinate};
 use crate::quantity::Ambient;
 
@@ -23,9 +23,8 @@ pub struct Balance {
 }
 
 impl Balance {
-    /// In the declared coordinates, by the speeds of bodies; torques on a body with speeds of its own, of which the number of the first is in
-    /// `spins`, are those about its axes.
-    pub(super) fn declared(model: &Model, arena: &mut Arena, spins: &[Option<u32>]) -> Balance {
+    /// In the declared coordinates, by the speeds of bodies; torques on a body in `spins` are those about the axes of its spin.
+    pub(super) fn declared(model: &Model, arena: &mut Arena, spins: &[Option<Spin>]) -> Balance {
         let zero = arena.integer(0);
         let each = if model.ambient == Ambient::Space { 6 } else { 3 };
         let forces = dynamics::unbalanced(model, arena, spins).unwrap_or_else(|| vec![zero; each * model.bodies.len()]);
@@ -49,7 +48,7 @@ impl Balance {
                 forces[position + axis] = self.forces[speed + axis];
                 let spin = arena.frame(*frame).velocity[axis];
                 let torque = self.forces[speed + Ambient::Space.components() + axis];
-                if let Some(first) = arena.spins(*frame) {
+                if let Some(Spin { first, .. }) = arena.spin(*frame) {
                     let own = first as usize + axis;
                     forces[own] = arena.add(forces[own], torque);
                     continue;

@@ -8,26 +8,23 @@
 //!
 //! In the axes of ground, three for each body in the plane and six in space, in the order of the speeds.
 
-use super::own_axes;
-use crate::expr::{Arena, Expr, Leaf, Triple, combination, cross, derivative, dot};
+use super::spin_axes;
+use crate::expr::{Arena, Expr, Leaf, Spin, Triple, combination, cross, derivative, dot};
 use crate::model::{Force, Mass, Model, declared_coordinate, declared_speed};
 use crate::quantity::Ambient;
 
 /// f of every body; `None` if there is neither a mass nor a force.
 ///
-/// * `spins`: given, for each body in space the number of the first of three speeds that are ω in its own axes. Of such a body the torques
-///   are those about its axes.
-pub(super) fn unbalanced(model: &Model, arena: &mut Arena, spins: &[Option<u32>]) -> Option<Vec<Expr>> {
+/// * `spins`: given, for each body in space the speeds that are components of ω. Of such a body the torques are those about the axes of its
+///   spin.
+pub(super) fn unbalanced(model: &Model, arena: &mut Arena, spins: &[Option<Spin>]) -> Option<Vec<Expr>> {
     let has_mass = model.bodies.iter().any(|body| !body.masses.is_empty());
     if !has_mass && model.forces.is_empty() && model.energies.is_empty() {
         return None;
     }
     let work = (0..model.bodies.len()).flat_map(|body| match model.ambient {
         Ambient::Plane => in_plane(model, arena, body).to_vec(),
-        Ambient::Space => match spins.get(body).copied().flatten() {
-            Some(first) => own_axes::unbalanced(model, arena, body, first).to_vec(),
-            None => in_space(model, arena, body).to_vec(),
-        },
+        Ambient::Space => spin_axes::unbalanced(model, arena, body, spins).unwrap_or_else(|| in_space(model, arena, body)).to_vec(),
     });
     let mut work: Vec<Expr> = work.collect();
     for energy in model.energies.iter().filter(|energy| energy.rate.is_none()) {
@@ -37,12 +34,12 @@ pub(super) fn unbalanced(model: &Model, arena: &mut Arena, spins: &[Option<u32>]
 }
 
 /// Adds ∂V/∂q of an energy: by the coordinates in the plane, by positions and turns of bodies in space.
-fn add_slopes(model: &Model, arena: &mut Arena, energy: Expr, (spins, work): (&[Option<u32>], &mut [Expr])) {
+fn add_slopes(model: &Model, arena: &mut Arena, energy: Expr, (spins, work): (&[Option<Spin>], &mut [Expr])) {
     let each = if model.ambient == Ambient::Space { 6 } else { 3 };
     for (at, sum) in work.iter_mut().enumerate() {
         let (body, offset) = (at / each, at % each);
-        if offset >= 3 && spins.get(body).is_some_and(Option::is_some) {
-            let slope = own_axes::slope(arena, energy, body, offset - 3);
+        if let Some(spin) = spins.get(body).copied().flatten().filter(|_| offset >= 3) {
+            let slope = spin_axes::slope(arena, energy, (body, spin), offset - 3);
             *sum = arena.add(*sum, slope);
             continue;
         }

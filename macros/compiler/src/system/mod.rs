@@ -17,12 +17,12 @@ mod forest;
 mod in_space;
 mod loads;
 mod magnitude;
-mod own_axes;
 mod parallel;
 mod pattern;
 mod pieces;
 mod pins;
 mod rows;
+mod spin_axes;
 mod spins;
 
 use crate::diag::{Diag, SystemFact};
@@ -41,7 +41,7 @@ pub use loads::{LoadEquations, LoadRow};
 pub(crate) use magnitude::magnitude;
 pub(crate) use rows::coordinates_in;
 use rows::{Differentiation, Row};
-pub use spins::EquationsBySpins;
+pub use spins::{Along, EquationsBySpins, QuaternionSpin};
 
 /// Unknowns and equations.
 #[derive(Clone, Debug)]

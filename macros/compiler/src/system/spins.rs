@@ -1,4 +1,4 @@
-//! Equations of motion with ω in its own axes as the speeds of each body that is free to turn.
+//! Equations of motion with components of ω as the speeds of each body that is free to turn.
 //!
 //! The rates of a quaternion are one speed more than the body has, and masses that are constant in its axes vary with them. ω has the
 //! numbers of the first three components of the quaternion; the fourth is not used.
@@ -6,7 +6,7 @@
 use super::forest::{self, FreeSpeeds};
 use super::rows::{self, Differentiation, Row};
 use super::{Choice, Coordinate, Equation, rates};
-use crate::expr::{Arena, Expr, Leaf, Seed};
+use crate::expr::{Arena, Expr, Leaf, Seed, Spin, SpinAxes, Triple};
 use crate::model::Model;
 use crate::quantity::Role;
 
@@ -19,8 +19,39 @@ pub struct EquationsBySpins {
     pub of_speeds: Vec<Equation>,
     /// M u̇ − Q, by speed.
     pub forces: Vec<Expr>,
-    /// Number of the first component of each quaternion.
-    pub quaternions: Vec<usize>,
+    /// Each quaternion.
+    pub quaternions: Vec<QuaternionSpin>,
+}
+
+/// The speeds of a body that is free to turn.
+#[derive(Clone, Copy, Debug)]
+pub struct QuaternionSpin {
+    /// Number of the first component of its quaternion, and of its ω.
+    pub first: usize,
+    /// Axes along which ω has its components.
+    pub along: Along,
+}
+
+/// Axes along which ω has its components.
+#[derive(Clone, Copy, Debug)]
+pub enum Along {
+    /// Those of the body.
+    Own,
+    /// Those of ground.
+    Ground,
+    /// Those of another body.
+    Axes {
+        /// The axes, by components in ground.
+        columns: [Triple; 3],
+        /// Number of the first component of that body's ω.
+        first: usize,
+    },
+}
+
+impl Along {
+    pub(crate) fn is_own(self) -> bool {
+        matches!(self, Along::Own)
+    }
 }
 
 /// Derives the equations.
@@ -28,16 +59,26 @@ pub struct EquationsBySpins {
 /// * `at_level`: given, for each row whether it is one of velocities.
 pub(super) fn equations(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], at_level: &[bool]) -> EquationsBySpins {
     // Outputs and loads are rewritten once more, since angles that they alone name are unknowns with numbers, too.
-    let Choice { mut rows, balance, .. } = forest::reduce(model, arena, FreeSpeeds::Spin);
+    let Choice { mut rows, balance, frames, .. } = forest::reduce(model, arena, FreeSpeeds::Spin);
     rows::integrate_again(arena, coordinates, &mut rows, at_level);
     let (of_speeds, rows): (Vec<Row>, Vec<Row>) = rows.into_iter().partition(|row| row.is_velocity);
     let columns = (0..coordinates.len() as u32).map(Leaf::Coordinate);
     let mut derivatives = Differentiation::new(columns, Seed::constant_speeds(rates(coordinates.len())), 0);
-    let is_first = |coordinate: &Coordinate| coordinate.role == Role::Quaternion(0);
+    let is_first = |coordinate: &&Coordinate| coordinate.role == Role::Quaternion(0);
+    let spin = |arena: &Arena, coordinate: &Coordinate| {
+        let Spin { first, axes } = arena.spin(frames[coordinate.body])?;
+        let along = match axes {
+            SpinAxes::Own => Along::Own,
+            SpinAxes::Ground => Along::Ground,
+            SpinAxes::Of(frame) => Along::Axes { columns: arena.frame(frame).columns, first: arena.spin(frame)?.first as usize },
+        };
+        Some(QuaternionSpin { first: first as usize, along })
+    };
+    let quaternions = coordinates.iter().filter(is_first).filter_map(|coordinate| spin(arena, coordinate)).collect();
     EquationsBySpins {
         equations: derivatives.of_all(arena, &rows),
         of_speeds: derivatives.of_all(arena, &of_speeds),
         forces: balance.map_or_else(Vec::new, |balance| balance.forces),
-        quaternions: (0..coordinates.len()).filter(|number| is_first(&coordinates[*number])).collect(),
+        quaternions,
     }
 }

@@ -1,7 +1,7 @@
 use crate::expr::{Arena, Expr, Frame, Leaf, Triple, Values, evaluate};
 
 /// An arena with a frame that turns about z by the first coordinate.
-fn turning() -> (Arena, usize) {
+pub(super) fn turning() -> (Arena, usize) {
     let mut arena = Arena::new();
     let [zero, one] = [0, 1].map(|value| arena.integer(value));
     let angle = arena.leaf(Leaf::Coordinate(0));
@@ -21,7 +21,7 @@ fn turning() -> (Arena, usize) {
     (arena, frame)
 }
 
-fn vector(arena: &mut Arena, local: [i64; 3]) -> Triple {
+pub(super) fn vector(arena: &mut Arena, local: [i64; 3]) -> Triple {
     local.map(|part| arena.integer(part))
 }
 

@@ -12,6 +12,8 @@
 //!
 //! Bodies are reached from ground, each by one relation. Rows of relations that reached a body hold by construction and are not solved.
 
+mod balls;
+mod directions;
 mod lines;
 mod link;
 mod orientation;
@@ -85,7 +87,7 @@ struct Started {
 pub(super) enum FreeSpeeds {
     /// The rates of the quaternion.
     OfQuaternion,
-    /// ω in the axes of the body, with the numbers of the first three components of the quaternion. The row of the norm is empty.
+    /// Components of ω, with the numbers of the first three components of the quaternion. The row of the norm is empty.
     Spin,
 }
 
@@ -123,7 +125,7 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena, free_speeds: FreeSpeeds) 
     forest.declared_rows();
     forest.rows.sort_by_key(|row| row.joint);
     let outputs = model.outputs.iter().map(|output| output.components.iter().map(|part| forest.rewrite(*part)).collect()).collect();
-    let spins: Vec<Option<u32>> = forest.frames.iter().map(|frame| forest.arena.spins((*frame)?)).collect();
+    let spins = forest.spins();
     let balance = (model.task == Task::Motion).then(|| Balance::declared(model, forest.arena, &spins).map(|expr| forest.rewrite(expr)));
     let is_loaded = model.task.is_determined();
     let aligned = if is_loaded { forest.aligned() } else { BTreeMap::new() };

@@ -2,7 +2,7 @@
 
 use super::super::rows::Row;
 use super::{Forest, FreeSpeeds};
-use crate::expr::{Arena, Expr, Frame, Leaf, Triple, combination, cross};
+use crate::expr::{Arena, Expr, Frame, Leaf, Spin, Triple, combination, cross};
 use crate::geometry::rotation;
 use crate::model::{Place, Relationship, Triad};
 use crate::quantity::{Dim, Role};
@@ -100,7 +100,8 @@ impl Forest<'_> {
         self.depths[body] = self.model.bodies.len();
         let own = unknowns.iter().map(|(number, _)| Leaf::Coordinate(*number)).collect();
         if self.free_speeds == FreeSpeeds::Spin {
-            self.frames[body] = Some(self.arena.add_spinning_frame(columns, unknowns[0].0, own));
+            let spin = Spin { first: unknowns[0].0, axes: self.axes_of_spin(body) };
+            self.frames[body] = Some(self.arena.add_spinning_frame(columns, spin, own));
             let zero = self.arena.integer(0);
             self.norm(body, zero);
             return;

@@ -2,7 +2,7 @@
 
 use super::super::FurtherAngle;
 use super::super::rows::Row;
-use super::Forest;
+use super::{Forest, FreeSpeeds};
 use crate::expr::{Binary, Expr, Leaf, Mark, Node, dot};
 use crate::model::{DECLARED, JointQuantity, Place, Triad};
 use crate::quantity::{Ambient, Dim, Role, SpeedRole};
@@ -69,7 +69,8 @@ impl Forest<'_> {
     pub(super) fn declared_rows(&mut self) {
         for row in Row::declared(self.model) {
             if !self.holding.contains(&(row.joint, row.row)) {
-                let residual = self.rewrite(row.residual);
+                let residual = if self.free_speeds == FreeSpeeds::Spin { self.by_spins(row.residual) } else { row.residual };
+                let residual = self.rewrite(residual);
                 self.rows.push(Row { residual, ..row });
             }
         }
