@@ -55,6 +55,11 @@ macro_rules! motion {
                     let loads = mechanism.accelerate_with_loads(&mut at_once).unwrap_or_else(|stopped| panic!("{stopped}"));
                     mechanism.accelerate(&mut apart).unwrap_or_else(|stopped| panic!("{stopped}"));
                     assert_eq!((loads, at_once), (mechanism.loads(&apart), apart.clone()));
+                    // A state that was touched is completed before.
+                    let mut touched = state.clone();
+                    touched.0.qd *= 1.0;
+                    let loads = mechanism.accelerate_with_loads(&mut touched).unwrap_or_else(|stopped| panic!("{stopped}"));
+                    assert_eq!((loads, touched), (mechanism.loads(&apart), apart));
                     let (kappa, sensitivity) = amplification(wanted);
                     for (name, found) in $found(&mechanism, &state) {
                         let level = if matches!(name, "qdd" | "wdot" | "lambda") { kappa } else { 1.0 };

@@ -5,6 +5,7 @@ use crate::expr::{Values, evaluate};
 use crate::linear::dense;
 use crate::numeric::at_defaults;
 use crate::quantity::Role;
+use crate::system::{Along, QuaternionSpin};
 use std::f64::consts::TAU;
 
 /// Ground, crank, coupler and rocker.
@@ -175,6 +176,39 @@ const GEARS: &str = "mechanism Gears in space {
     freedom spin = dot(carrier.first, first.angular_velocity - carrier.angular_velocity) from 4rad_s;
 }";
 
+/// The same with nodes that are balls, loaded beside their centres.
+const BALLS: &str = "mechanism Balls in space {
+    gravity = (0, 0, -9.81m_s2);
+    body carrier { axis first = (0, 0.6, 0.8);  axis second = (0, 1, 0);  mass = 5kg;  inertia = (0.3kgm2, 0.2kgm2, 0.1kgm2); }
+    body first {
+        point rim = (0.1m, 0.2m, -0.1m);
+        mass = 2kg;  inertia = (0.05kgm2, 0.05kgm2, 0.05kgm2);  start position = (400mm, 0mm, 100mm);
+    }
+    body second { mass = 3kg;  inertia = (0.1kgm2, 0.1kgm2, 0.1kgm2);  start position = (-300mm, 500mm, 0mm); }
+    joint gears = gear_joint(carrier, first, second, carrier.first, carrier.second, 2.5);
+    force push = { at first.rim: (3N, -2N, 5N);  on second: (0.1Nm, 0.2Nm, -0.3Nm); }
+    energy spring = 20N_m * dot(first.rim - (1m, 0, 0), first.rim - (1m, 0, 0));
+    freedom glide = rate(carrier.position) from (1m_s, -0.5m_s, 2m_s);
+    freedom tumble = carrier.angular_velocity from (1rad_s, 2rad_s, -1.5rad_s);
+    freedom spin = dot(carrier.first, first.angular_velocity - carrier.angular_velocity) from 4rad_s;
+}";
+
+/// A ball that rolls on ground, with a string at its rim, and carries another one by velocities.
+const ROLLING: &str = "mechanism Rolling in space {
+    gravity = (0, 0, -9.81m_s2);
+    ground { axis up = (0, 0, 1); }
+    body ball {
+        point rim = (0.03m, 0.04m, 0);
+        mass = 2kg;  inertia = (0.002kgm2, 0.002kgm2, 0.002kgm2);  start position = (0, 0, 50mm);
+    }
+    body upper { mass = 1kg;  inertia = (0.001kgm2, 0.001kgm2, 0.001kgm2);  start position = (0, 0, 100mm); }
+    joint rolling = rolling_ball(ground.up, ball.position, 50mm);
+    joint turned = { upper.angular_velocity + ball.angular_velocity == (0rad_s, 0rad_s, 0rad_s); }
+    joint above = { rate(upper.position) == rate(ball.position) + cross(ball.angular_velocity, (0m, 0m, 50mm)); }
+    force pull = { at ball.rim: (3N, -2N, 5N);  on upper: (0.1Nm, 0.2Nm, -0.3Nm); }
+    freedom turning = ball.angular_velocity from (1rad_s, 2rad_s, -1.5rad_s);
+}";
+
 /// Coordinates and speeds at random, with quaternions of norm 1; those that are not integrated follow from the others.
 fn at_random(declaration: &str) -> impl Iterator<Item = [Vec<f64>; 2]> + use<> {
     let compiled = compile(declaration.parse().expect("tokens")).expect("a valid mechanism");
@@ -216,4 +250,26 @@ fn a_body_that_is_free_to_turn_has_accelerations_in_closed_form_in_all_orientati
 #[test]
 fn nodes_on_a_carrier_have_accelerations_in_closed_form_in_all_orientations() {
     assert_eq!(untrusted_states(GEARS, at_random(GEARS)), 0);
+}
+
+/// The axes along which ω of each body that is free to turn has its components.
+fn axes_of_spins(declaration: &str) -> Vec<&'static str> {
+    let compiled = compile(declaration.parse().expect("tokens")).expect("a valid mechanism");
+    let by_spins = compiled.system.by_spins.as_ref().expect("bodies that are free to turn");
+    let name = |spin: &QuaternionSpin| match spin.along {
+        Along::Own => "own",
+        Along::Ground => "ground",
+        Along::Axes { .. } => "another body's",
+    };
+    by_spins.quaternions.iter().map(name).collect()
+}
+
+#[test]
+fn balls_turn_in_the_axes_of_their_equations() {
+    assert_eq!(axes_of_spins(GEARS), ["own"; 3]);
+    assert_eq!(axes_of_spins(BALLS), ["own", "another body's", "another body's"]);
+    assert_eq!(axes_of_spins(ROLLING), ["ground"; 2]);
+    for declaration in [BALLS, ROLLING] {
+        assert_eq!(untrusted_states(declaration, at_random(declaration)), 0);
+    }
 }
