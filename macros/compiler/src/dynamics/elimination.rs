@@ -64,7 +64,7 @@ pub(super) fn accelerations(
     let matrix: Vec<Vec<Expr>> = rows.iter().map(|row| row.jacobian.clone()).collect();
     let mut work = SparseRows::new(arena, &matrix, rows.iter().map(|row| row.gamma).collect(), lengths, trust);
     work.in_general = in_general;
-    let pivots: Vec<[Expr; 2]> = order.iter().map(|block| work.eliminate(block, lengths)).collect();
+    let pivots: Vec<[Expr; 2]> = order.iter().flat_map(|block| work.eliminate(block, lengths)).collect();
     let is_dependent = |column: &usize| order.iter().any(|block| block.columns.contains(column));
     let independent: Vec<usize> = (0..count).filter(|column| !is_dependent(column)).collect();
     let particular = work.solution(None, count);
@@ -148,28 +148,40 @@ impl<'a> SparseRows<'a> {
     }
 
     /// Eliminates the columns of a block from the rows that are left; returns its determinant and the number that the size of this has to
-    /// exceed.
-    pub(super) fn eliminate(&mut self, block: &PivotBlock, lengths: &[Expr]) -> [Expr; 2] {
+    /// exceed, of a block with one entry in each row and column its entries and a number for each.
+    pub(super) fn eliminate(&mut self, block: &PivotBlock, lengths: &[Expr]) -> Vec<[Expr; 2]> {
         let PivotBlock { rows, columns } = block;
         let zero = self.arena.integer(0);
         let entry = |row: &usize, column: &usize| self.entries[*row].get(column).copied().unwrap_or(zero);
         let matrix: Vec<Vec<Expr>> = rows.iter().map(|row| columns.iter().map(|column| entry(row, column)).collect()).collect();
         let cofactors = Cofactors::new(self.arena, &matrix);
-        let (mut scaled, mut least) = (cofactors.determinant, self.arena.integer(1));
-        for (row, column) in rows.iter().zip(columns) {
-            scaled = self.arena.mul(scaled, lengths[*column]);
-            let size = self.judged(*row, lengths);
-            least = self.arena.mul(least, size);
-        }
-        let trusted = self.arena.integer(self.trust.of(rows.len()));
-        least = self.arena.div(least, trusted);
+        let checks = match single_entries(&matrix, zero) {
+            Some(places) => {
+                let pivot =
+                    |(at, place): (usize, usize)| self.checked(matrix[at][place], (&rows[at..=at], &columns[place..=place]), lengths);
+                places.into_iter().enumerate().map(pivot).collect()
+            }
+            None => vec![self.checked(cofactors.determinant, (rows, columns), lengths)],
+        };
         self.pivots.push((block.clone(), cofactors));
         for other in 0..self.entries.len() {
             if !self.pivots.iter().any(|(done, _)| done.rows.contains(&other)) {
                 self.reduce(other);
             }
         }
-        [scaled, least]
+        checks
+    }
+
+    /// The determinant of some rows and columns in comparable units, and the number that its size has to exceed.
+    fn checked(&mut self, determinant: Expr, (rows, columns): (&[usize], &[usize]), lengths: &[Expr]) -> [Expr; 2] {
+        let (mut scaled, mut least) = (determinant, self.arena.integer(1));
+        for (row, column) in rows.iter().zip(columns) {
+            scaled = self.arena.mul(scaled, lengths[*column]);
+            let size = self.judged(*row, lengths);
+            least = self.arena.mul(least, size);
+        }
+        let trusted = self.arena.integer(self.trust.of(rows.len()));
+        [scaled, self.arena.div(least, trusted)]
     }
 
     /// Subtracts multiples of the rows of the last block from a row, so that the columns of the block vanish from it.
@@ -216,6 +228,20 @@ impl<'a> SparseRows<'a> {
         }
         unknowns
     }
+}
+
+/// The column of the only entry in each row, if each column has one, too.
+fn single_entries(matrix: &[Vec<Expr>], zero: Expr) -> Option<Vec<usize>> {
+    let mut places = Vec::new();
+    for row in matrix {
+        let mut filled = (0..row.len()).filter(|column| row[*column] != zero);
+        let place = filled.next().filter(|place| !places.contains(place))?;
+        places.push(place);
+        if filled.next().is_some() {
+            return None;
+        }
+    }
+    Some(places)
 }
 
 /// x of H x = b by L D Lᵀ, and each pivot with the diagonal entry that it comes from.

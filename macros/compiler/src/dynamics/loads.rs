@@ -376,7 +376,7 @@ impl<'a> LoadMatrix<'a> {
             let lengths: Vec<f64> = columns.iter().map(|column| self.lengths[*column]).collect();
             let lengths: Vec<Expr> = lengths.into_iter().map(|length| super::power_of_two(self.arena, length)).collect();
             let mut work = SparseRows::new(self.arena, &matrix, sides, &lengths, TRUST);
-            let checks: Vec<[Expr; 2]> = order.iter().map(|block| work.eliminate(block, &lengths)).collect();
+            let checks: Vec<[Expr; 2]> = order.iter().flat_map(|block| work.eliminate(block, &lengths)).collect();
             let found = work.solution(None, columns.len());
             self.checks.extend(checks.into_iter().map(|[pivot, least]| [self.arena.unary(Unary::Abs, pivot), least]));
             found

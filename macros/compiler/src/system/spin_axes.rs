@@ -21,7 +21,7 @@ pub(super) fn unbalanced(model: &Model, arena: &mut Arena, body: usize, spins: &
     let spin = spins.get(body).copied().flatten()?;
     let directions = arena.directions_of(body, spin.axes);
     let (mut force, mut torque) = ([zero; 3], [zero; 3]);
-    let own = Motion::new(model, arena, body, spins)?;
+    let own = BodyMotion::new(model, arena, body, spins)?;
     for mass in &model.bodies[body].masses {
         let (pull, moment) = if spin.axes == SpinAxes::Own { own.of_body(arena, &directions, mass) } else { own.of_ball(arena, mass) };
         (force, torque) = (sum(arena, force, pull), sum(arena, torque, moment));
@@ -56,7 +56,7 @@ pub(super) fn slope(arena: &mut Arena, energy: Expr, (body, spin): (usize, Spin)
 }
 
 /// Motion of a body, without its declared forces.
-struct Motion {
+struct BodyMotion {
     /// a − g, in ground.
     falling: Triple,
     /// ω, by its components.
@@ -65,8 +65,8 @@ struct Motion {
     change: Triple,
 }
 
-impl Motion {
-    fn new(model: &Model, arena: &mut Arena, body: usize, spins: &[Option<Spin>]) -> Option<Motion> {
+impl BodyMotion {
+    fn new(model: &Model, arena: &mut Arena, body: usize, spins: &[Option<Spin>]) -> Option<BodyMotion> {
         let zero = arena.integer(0);
         let Spin { first, axes } = spins[body]?;
         let gravity = model.gravity.clone().unwrap_or_else(|| vec![zero; 3]);
@@ -81,7 +81,7 @@ impl Motion {
             let swing = cross(arena, turning, spin);
             change = sum(arena, change, swing);
         }
-        Some(Motion { falling, spin, change })
+        Some(BodyMotion { falling, spin, change })
     }
 
     /// Force in ground and torque that one of the masses of a ball needs: its centre is the origin, and its inertia the same along all axes.
