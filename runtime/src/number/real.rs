@@ -61,9 +61,16 @@ pub trait Real:
     /// `then` where `lhs < rhs`, `otherwise` elsewhere, also where one of the two is NaN.
     fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self;
 
-    /// The values of `then` where `lhs < rhs`, those of `otherwise` elsewhere, as [`select_less`](Self::select_less) would choose them. A number
-    /// that knows which of the two holds computes only that one.
-    #[inline]
+    /// Whether `lhs < rhs`; `None` where lanes differ, and for numbers that cannot tell.
+    #[inline(always)]
+    #[must_use]
+    fn is_less(_lhs: Self, _rhs: Self) -> Option<bool> {
+        None
+    }
+
+    /// The values of `then` where `lhs < rhs`, those of `otherwise` elsewhere, as [`select_less`](Self::select_less) would choose them. Only one
+    /// of the two is computed if [`is_less`](Self::is_less) has an answer.
+    #[inline(always)]
     #[must_use]
     fn choose_less<const K: usize>(
         lhs: Self,
@@ -71,8 +78,16 @@ pub trait Real:
         then: impl FnOnce() -> [Self; K],
         otherwise: impl FnOnce() -> [Self; K],
     ) -> [Self; K] {
-        let (then, otherwise) = (then(), otherwise());
-        core::array::from_fn(|k| Self::select_less(lhs, rhs, then[k], otherwise[k]))
+        let is_less = Self::is_less(lhs, rhs);
+        // Each is called at one place, so that nested choices do not double the code.
+        let unused = [Self::of(0.0); K];
+        let then = if is_less == Some(false) { unused } else { then() };
+        let otherwise = if is_less == Some(true) { unused } else { otherwise() };
+        match is_less {
+            Some(true) => then,
+            Some(false) => otherwise,
+            None => core::array::from_fn(|k| Self::select_less(lhs, rhs, then[k], otherwise[k])),
+        }
     }
 
     /// The greater of the two; `self` where they cannot be compared.
@@ -109,13 +124,8 @@ macro_rules! comparisons {
             if lhs < rhs { then } else { otherwise }
         }
         #[inline(always)]
-        fn choose_less<const K: usize>(
-            lhs: Self,
-            rhs: Self,
-            then: impl FnOnce() -> [Self; K],
-            otherwise: impl FnOnce() -> [Self; K],
-        ) -> [Self; K] {
-            if lhs < rhs { then() } else { otherwise() }
+        fn is_less(lhs: Self, rhs: Self) -> Option<bool> {
+            Some(lhs < rhs)
         }
     };
 }
