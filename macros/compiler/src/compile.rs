@@ -213,7 +213,7 @@ fn check(definitions: &ast::Definitions, diag: &mut Diag) {
     if !diag.is_clean() {
         return;
     }
-    resolve::check_names(definitions, diag);
+    export::check_names(definitions, diag);
     let is_constraint =
         |defined: &ast::Defined| if let ast::Defined::Constraint(definition) = defined { Some(definition.clone()) } else { None };
     let all: Vec<ast::Definition> = definitions.exports.iter().flat_map(|export| &export.definitions).filter_map(is_constraint).collect();

@@ -283,6 +283,11 @@ impl Arena {
         reached.in_order(found.len())
     }
 
+    /// True if an expression contains no leaves but parameters.
+    pub(crate) fn is_fixed(&self, root: Expr) -> bool {
+        self.leaves(root).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_)))
+    }
+
     /// The leaves that an expression depends on.
     #[must_use]
     pub fn leaves(&self, root: Expr) -> BTreeSet<Leaf> {

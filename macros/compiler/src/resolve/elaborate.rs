@@ -119,7 +119,7 @@ impl Elaborator<'_> {
     pub(super) fn value(&mut self, expr: &ast::Expression, scope: &Scope) -> Option<Value> {
         match self.value_or_array(expr, scope)? {
             Value::Array { group, at } => {
-                let name = self.member_name(group, &at);
+                let name = self.names.member_name(group, &at);
                 self.refuse(expr.range, ArrayFact::ArrayWithoutIndex { name })
             }
             value => Some(value),
@@ -436,11 +436,6 @@ impl Elaborator<'_> {
     /// True if the expression contains no coordinate.
     pub(super) fn is_still(&self, expr: Expr) -> bool {
         !self.arena.leaves(expr).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(_)))
-    }
-
-    /// True if the expression contains parameters only.
-    pub(super) fn is_fixed(&self, expr: Expr) -> bool {
-        self.arena.leaves(expr).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_)))
     }
 }
 

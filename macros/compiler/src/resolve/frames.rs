@@ -36,7 +36,7 @@ impl Elaborator<'_> {
         let scope = Scope::of(context).timeless("a point or an axis");
         let vector = if mark.is_axis { self.vector(&mark.value, &scope)? } else { self.location(&mark.value, &scope)? };
         let local = vector.parts;
-        if !local.iter().all(|part| self.is_fixed(*part)) {
+        if !local.iter().all(|part| self.arena.is_fixed(*part)) {
             return self.refuse(mark.value.range, ValueFact::NotFixed { place: "a point or an axis" });
         }
         let noun = if mark.is_axis { "a component of the axis" } else { "a coordinate of the point" };
@@ -141,7 +141,7 @@ impl Elaborator<'_> {
                 }
             };
             for (which, expr) in found.unwrap_or_default() {
-                if !self.is_fixed(expr) {
+                if !self.arena.is_fixed(expr) {
                     self.refuse::<()>(start.value.range, ValueFact::NotFixed { place: "a start value" });
                     continue;
                 }
@@ -177,7 +177,7 @@ impl Elaborator<'_> {
         };
         let dim = if matches!(found, JointQuantity::Angle(..)) { Dim::ANGLE } else { Dim::LENGTH };
         let value = self.scalar_of(&start.value, dim, scope)?.expr;
-        if !self.is_fixed(value) {
+        if !self.arena.is_fixed(value) {
             return self.refuse(start.value.range, ValueFact::NotFixed { place: "a start value" });
         }
         self.has_to_be_finite(value, Key::Value(start.id(), 0), start.value.range, "the start value");

@@ -228,14 +228,14 @@ impl Elaborator<'_> {
             | (FormalKind::Axis, value @ Value::Axis(_))
             | (FormalKind::Body, value @ Value::Body(_)) => Some(value),
             // A constant vector stands for a point or a direction in ground.
-            (FormalKind::Point, Value::Vector(vector)) if vector.parts.iter().all(|part| self.is_fixed(*part)) => {
+            (FormalKind::Point, Value::Vector(vector)) if vector.parts.iter().all(|part| self.arena.is_fixed(*part)) => {
                 if !vector.measure.fits(Dim::LENGTH) {
                     return self.refuse(argument.range, ValueFact::WrongDimension { wanted: Dim::LENGTH, found: vector.measure.settled() });
                 }
                 let measure = InferredDim::Known(Dim::LENGTH);
                 Some(Value::Point(Fixed { frame: FrameId::GROUND, local: vector.parts, measure, zero: None }))
             }
-            (FormalKind::Axis, Value::Vector(vector)) if vector.parts.iter().all(|part| self.is_fixed(*part)) => {
+            (FormalKind::Axis, Value::Vector(vector)) if vector.parts.iter().all(|part| self.arena.is_fixed(*part)) => {
                 self.is_not_zero(argument.range, argument, vector.parts)?;
                 let measure = InferredDim::Known(vector.measure.settled());
                 Some(Value::Axis(Fixed { frame: FrameId::GROUND, local: vector.parts, measure, zero: None }))

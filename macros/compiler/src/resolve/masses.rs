@@ -32,7 +32,7 @@ impl Elaborator<'_> {
                 _ => self.inertia(written, found.mass, false, scope),
             };
             let Some(value) = value else { continue };
-            if !value.iter().all(|part| self.is_fixed(*part)) {
+            if !value.iter().all(|part| self.arena.is_fixed(*part)) {
                 self.refuse::<()>(written.value.range, ValueFact::NotFixed { place: "the mass of a body" });
                 continue;
             }
@@ -75,7 +75,7 @@ impl Elaborator<'_> {
         if self.names.is_abstract() {
             return Some(());
         }
-        if !value.iter().all(|part| self.is_fixed(*part)) {
+        if !value.iter().all(|part| self.arena.is_fixed(*part)) {
             return self.refuse(item.value.range, ValueFact::NotFixed { place: "the mass of a body" });
         }
         let mass = match is_inertia {

@@ -223,7 +223,7 @@ impl Elaborator<'_> {
     /// Registers an output. Outputs have a namespace of their own.
     fn output_item(&mut self, output: &ast::Shared<ast::OutputItem>, context: &Context, place: usize, register: &mut Register) {
         let Some(indices) = self.written_indices(&output.indices, output, context) else { return };
-        let name = self.full_name(context.space, Key::Name(output.id()), &output.name, &indices);
+        let name = self.names.full_name(context.space, Key::Name(output.id()), &output.name, &indices);
         self.names.outputs.insert((context.space, output.name.to_string()));
         let known = register.output_names.entry((context.space, output.name.to_string())).or_default();
         let is_like_others = known.first().is_none_or(|other| other.len() == indices.len());
@@ -379,13 +379,13 @@ impl Elaborator<'_> {
                 continue;
             }
             let space = self.names.frames[frame.0].space;
-            let name = self.full_name(space, Key::Name(mark.id()), &mark.name, &indices);
+            let name = self.names.full_name(space, Key::Name(mark.id()), &mark.name, &indices);
             let sort = if mark.is_axis { Sort::Axis } else { Sort::Point };
             let entity = Entity::Mark(frame, mark.clone());
             let declared = Declared { entity, progress: Progress::Untouched, name, context: context.clone() };
             let id = self.insert(declared);
             let body = self.names.frames[frame.0].name.clone();
-            match self.join(space, &word, sort, indices, id) {
+            match self.names.join(space, &word, sort, indices, id) {
                 Ok(()) => register.marks.push(id),
                 Err(_) => {
                     self.once(mark, |this| this.refuse::<()>(&mark.name, NameFact::DuplicateMark { name: word, body }));

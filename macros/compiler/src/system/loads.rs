@@ -178,7 +178,7 @@ impl JointAngles {
         for (number, [one, two]) in aligned {
             let (_, expr) = &model.space.quantities[*number as usize];
             // The rows of the same joint are by the axes of the first body as well.
-            let axis = parallel::in_ground(arena, *one)[2];
+            let axis = one.in_ground(arena)[2];
             let leaf = Leaf::Coordinate(DECLARED + (Role::SPACE.len() * model.bodies.len()) as u32 + *number);
             back.replace(leaf, *expr);
             let mut turns = Vec::new();

@@ -114,7 +114,7 @@ impl Forest<'_> {
             let mut at_start = Substitution::new();
             at_start.replace(Leaf::Time, self.arena.integer(0));
             let law = at_start.of(self.arena, law);
-            let is_fixed = self.arena.leaves(law).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_)));
+            let is_fixed = self.arena.is_fixed(law);
             match model.space.quantities[number as usize].0 {
                 _ if !is_fixed => None,
                 quantity if quantity == JointQuantity::Angle(one, two) => Some(law),
