@@ -289,7 +289,7 @@ impl Elaborator<'_> {
         }
         self.names.open_functions.push(name);
         // An error in a function is reported once, not again for each call or for each function that calls it.
-        let value = self.once(function, |this| this.scalar_of(&function.value, to, &inner));
+        let value = self.unless_refused(function, |this| this.scalar_of(&function.value, to, &inner));
         if value.is_none() {
             self.refused.insert(Key::from(function));
         }

@@ -1,11 +1,13 @@
 //! Declares the names of items: namespaces, indices, and conflicts between names.
 
 use super::elaborate::Elaborator;
-use super::register::MOST;
 use crate::diag::{ArrayFact, Fact, NameFact, Range};
 use crate::names::{Context, Declared, Entity, EntityId, Key, Progress, Scope, Sort, Value, is_reserved};
 use crate::syntax::ast;
 use proc_macro2::Ident;
+
+/// Largest number of items, with loops unrolled and parts expanded, plus the number of loop iterations.
+const MOST: usize = 100_000;
 
 /// A declared name, as written.
 #[derive(Clone, Copy)]
@@ -31,7 +33,7 @@ impl Elaborator<'_> {
         if is_reserved(&word) {
             // The item is declared all the same, so that its uses are not reported as well.
             self.names.misused.insert(word.clone());
-            self.once(key, |this| this.refuse::<()>(name, NameFact::Reserved { name: word.clone() }));
+            self.unless_refused(key, |this| this.refuse::<()>(name, NameFact::Reserved { name: word.clone() }));
         }
         let full = self.names.full_name(context.space, key, name, &indices);
         let shown = if indices.is_empty() { word.clone() } else { full.path.clone() };
@@ -40,7 +42,7 @@ impl Elaborator<'_> {
             Ok(()) => Some(id),
             Err(first) => {
                 let fact = duplicate(shown, first.noun(), context.bound.last().filter(|_| first == sort));
-                self.once(key, |this| this.refuse(name, fact))
+                self.unless_refused(key, |this| this.refuse(name, fact))
             }
         }
     }
@@ -62,7 +64,7 @@ impl Elaborator<'_> {
             return Some(Vec::new());
         }
         let scope = Scope::of(context).timeless("an index");
-        self.at(self.situation(context), |this| this.once(key, |this| this.indices(indices, &scope)))
+        self.with_place(self.situation(context), |this| this.unless_refused(key, |this| this.indices(indices, &scope)))
     }
 
     /// Describes the enclosing part and loop variables, for messages; `None` outside of both.

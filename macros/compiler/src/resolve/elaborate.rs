@@ -99,15 +99,15 @@ impl Elaborator<'_> {
     pub(super) fn refuse<T>(&mut self, range: impl Into<Range>, fact: impl Into<Fact>) -> Option<T> {
         let fact = fact.into();
         match self.blame.clone() {
-            None => self.say(range, fact),
+            None => self.refuse_here(range, fact),
             Some(Instance { place, definition, quantities }) => {
-                self.say(place, Fact::InDefinition { definition, quantities, fact: Box::new(fact) })
+                self.refuse_here(place, Fact::InDefinition { definition, quantities, fact: Box::new(fact) })
             }
         }
     }
 
     /// Reports an error at this very range, and names the current item if its declaration is expanded several times.
-    pub(super) fn say<T>(&mut self, range: impl Into<Range>, fact: impl Into<Fact>) -> Option<T> {
+    pub(super) fn refuse_here<T>(&mut self, range: impl Into<Range>, fact: impl Into<Fact>) -> Option<T> {
         let fact = match &self.place {
             Some(place) => Fact::InInstance { place: place.clone(), fact: Box::new(fact.into()) },
             None => fact.into(),

@@ -101,7 +101,7 @@ impl Elaborator<'_> {
     /// Resolves all bodies with their coordinates and start values.
     pub(super) fn bodies(&mut self, register: &Register) -> Vec<Body> {
         let body = |(id, frame): &(EntityId, ast::Shared<ast::FrameItem>)| {
-            self.of(*id, frame, |this, name, context| Some(this.body(frame, name, context)))
+            self.resolved(*id, frame, |this, name, context| Some(this.body(frame, name, context)))
         };
         let mut bodies: Vec<Body> = register.bodies.iter().filter_map(body).collect();
         let mut next = 0;
@@ -160,7 +160,7 @@ impl Elaborator<'_> {
     /// Declared starts of angles and displacements of joints.
     pub(super) fn joint_starts(&mut self, register: &Register) {
         for (start, context) in &register.starts {
-            self.once(start, |this| this.joint_start(start, &Scope::of(context).timeless("a start value")));
+            self.unless_refused(start, |this| this.joint_start(start, &Scope::of(context).timeless("a start value")));
         }
     }
 

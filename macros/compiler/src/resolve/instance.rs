@@ -37,7 +37,7 @@ impl Elaborator<'_> {
                 let Value::Joint { arguments, .. } = self.entity(id, (&joint.name).into())? else { return None };
                 let definition = self.definition(kind)?;
                 if self.is_on_ground(&arguments) {
-                    return self.say(kind, EquationFact::OnGround { joint: name.to_string(), kind: kind.to_string() });
+                    return self.refuse_here(kind, EquationFact::OnGround { joint: name.to_string(), kind: kind.to_string() });
                 }
                 let scope = Scope { bound: arguments.to_vec(), ..Scope::default() };
                 let outer = self.blame.replace(self.blame_for(&definition, kind, &arguments));

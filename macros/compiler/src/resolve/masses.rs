@@ -43,7 +43,7 @@ impl Elaborator<'_> {
             };
             if place {
                 let body = frame.name.to_string();
-                self.once(Key::Value(frame.id(), 1000 + number), |this| {
+                self.unless_refused(Key::Value(frame.id(), 1000 + number), |this| {
                     this.refuse::<()>(&written.what, NameFact::DuplicateStart { name: word.clone(), body })
                 });
             }

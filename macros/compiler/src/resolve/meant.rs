@@ -205,7 +205,7 @@ impl Elaborator<'_> {
         let Some(input) = self.inputs.values().next().cloned() else { return };
         for (_, output) in register.outputs.iter().filter(|(_, output)| output.is_slice && task.is_solved()) {
             let fact = MotionFact::SliceBesideInput { output: output.name.to_string(), input: input.clone() };
-            self.once(output, |this| this.refuse::<()>(&output.name, fact));
+            self.unless_refused(output, |this| this.refuse::<()>(&output.name, fact));
         }
         if task != Task::Motion {
             return;
@@ -227,7 +227,7 @@ impl Elaborator<'_> {
             Task::Motion => JerkObstacle::Integrated { freedom },
         };
         for (_, output) in &register.outputs {
-            self.once(output, |this| this.may_have_jerk(output, obstacle.clone()));
+            self.unless_refused(output, |this| this.may_have_jerk(output, obstacle.clone()));
         }
     }
 
@@ -239,7 +239,7 @@ impl Elaborator<'_> {
         let freedom = register.joints.iter().find(|(_, joint)| joint.is_freedom()).map(|(_, freedom)| freedom.name.to_string());
         for (_, output) in register.outputs.iter().filter(|(_, output)| output.is_slice) {
             let fact = MotionFact::SliceBesideFreedom { output: output.name.to_string(), freedom: freedom.clone() };
-            self.once(output, |this| this.refuse::<()>(&output.name, fact));
+            self.unless_refused(output, |this| this.refuse::<()>(&output.name, fact));
         }
         if let Some(range) = &register.range {
             self.refuse::<()>(&range.keyword, MotionFact::RangeBesideFreedom { freedom });

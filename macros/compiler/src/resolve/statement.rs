@@ -175,7 +175,7 @@ impl Elaborator<'_> {
     /// Reports an error at the argument at fault, if there is one.
     fn refuse_at<T>(&mut self, place: Option<Range>, range: Range, fact: impl Into<Fact>) -> Option<T> {
         let place = place.or(self.blame.as_ref().map(|blame| blame.place));
-        self.say(place.unwrap_or(range), fact)
+        self.refuse_here(place.unwrap_or(range), fact)
     }
 
     /// Checks that the conditions on parameters hold at the declared defaults.
@@ -211,7 +211,9 @@ impl Elaborator<'_> {
         }
         for FixedValue { expr, item, range, noun, place } in fixed {
             if !self.is_finite(expr, &defaults) {
-                self.at(place, |this| this.once(item, |this| this.refuse::<()>(range, ValueFact::NotFinite { place: noun })));
+                self.with_place(place, |this| {
+                    this.unless_refused(item, |this| this.refuse::<()>(range, ValueFact::NotFinite { place: noun }))
+                });
             }
         }
     }
