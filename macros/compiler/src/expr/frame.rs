@@ -60,14 +60,14 @@ struct FixedVector {
 
 impl Arena {
     /// Adds a frame; returns its number.
-    pub fn add_frame(&mut self, frame: Frame) -> usize {
+    pub(crate) fn add_frame(&mut self, frame: Frame) -> usize {
         self.frames.frames.push(frame);
         self.frames.frames.len() - 1
     }
 
     /// Adds a frame that is free to turn, with ω in its own axes as three speeds, the first of which has the number `first`. The
     /// coordinates of the same numbers stand for turns about its axes.
-    pub fn add_spinning_frame(&mut self, columns: [Triple; 3], first: u32, own: Vec<Leaf>) -> usize {
+    pub(crate) fn add_spinning_frame(&mut self, columns: [Triple; 3], first: u32, own: Vec<Leaf>) -> usize {
         let (zero, one) = (self.integer(0), self.integer(1));
         let none = [zero; 3];
         let turns = (0..3).map(|k: u32| (Leaf::Coordinate(first + k), columns[k as usize])).collect();
@@ -85,7 +85,7 @@ impl Arena {
     }
 
     /// The turns of a body about the axes of ground, each with its axis.
-    pub fn turns_about_ground(&mut self, body: usize) -> [(Leaf, Triple); 3] {
+    pub(crate) fn turns_about_ground(&mut self, body: usize) -> [(Leaf, Triple); 3] {
         let (zero, one) = (self.integer(0), self.integer(1));
         let leaves = Leaf::turns_of(body);
         [0, 1, 2].map(|axis| (leaves[axis], [0, 1, 2].map(|other| if other == axis { one } else { zero })))

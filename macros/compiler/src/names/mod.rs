@@ -243,8 +243,9 @@ pub(crate) struct Names {
     pub(crate) definitions: BTreeMap<String, Rc<Definition>>,
     pub(crate) library: BTreeMap<String, Option<Rc<Definition>>>,
     pub(crate) components: BTreeMap<String, ast::Shared<ast::ComponentItem>>,
-    /// What imported components see, and the home of the item that is being resolved.
+    /// The definitions that imported components see.
     pub(crate) homes: Vec<ast::ComponentHome>,
+    /// Home of the item that is being resolved, if it belongs to an imported component.
     pub(crate) home: Option<usize>,
     /// Names with a predefined meaning that were declared as something else: their uses are ambiguous.
     pub(crate) misused: BTreeSet<String>,

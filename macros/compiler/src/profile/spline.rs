@@ -144,7 +144,7 @@ fn tangent(work: &mut impl Valuer, since: Expr, value: Exact, velocity: Exact) -
 ///     6 Δ −  3 h v₀ − 3 h v₁ − 1/2 h² a₀ + 1/2 h² a₁
 /// ```
 ///
-/// They are refused if they are so large that their sum misses the end, or if they cannot be kept.
+/// They are refused if rounding makes their sum miss the end, or if they are too large for exact numbers.
 fn coefficients(
     work: &mut impl Valuer,
     range: Range,

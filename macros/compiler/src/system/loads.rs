@@ -4,7 +4,7 @@
 //! Φ_uᵀ λ = −f      f = M u̇ − Q
 //! ```
 //!
-//! Leaves are the entries of a state: in space those of the rotation matrices, ω and ω̇ stand behind the unknowns.
+//! Leaves are the entries of a state. In space the unknowns are followed by the rotation matrices with ω and ω̇.
 
 use super::rows::Row;
 use super::{COSINES, Equation, Level, balance, cosine, declared, dynamics, parallel};
@@ -43,7 +43,7 @@ pub struct LoadRow {
     pub slope: Option<Expr>,
     /// True if it belongs to a freedom.
     pub is_of_freedom: bool,
-    /// True if it is declared as an equation of velocities, also where it is solved as one of positions.
+    /// True if it is declared as an equation of velocities, even if it is solved as one of positions.
     pub is_of_velocities: bool,
 }
 

@@ -39,8 +39,8 @@ impl Forest<'_> {
         }
     }
 
-    /// The same, but by its joints only if the body turns to its declared place or to where a drive has it, or if it keeps the declared orientation
-    /// of another one: without these, angles at the start are those between declared orientations.
+    /// The same, but as joints turn it only if the body turns to its declared place or to that of a drive, or if it keeps the declared orientation of
+    /// another body; otherwise angles at the start are those between declared orientations.
     fn placed_at_start(&mut self, place: Place) -> Triple {
         let is_placed = place.body.is_some_and(|body| self.placed.contains(&body) || self.driven.contains(&body));
         let keeps_declared = self.keeps(place.body).flatten().is_some();
