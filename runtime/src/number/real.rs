@@ -104,6 +104,18 @@ pub trait Real:
     fn map(self, function: fn(f64) -> (f64, f64, f64)) -> (Self, Self, Self);
 }
 
+/// Functions of one number by functions of its type.
+macro_rules! functions {
+    ($($name:ident = $function:path;)*) => {
+        $(
+            #[inline]
+            fn $name(self) -> Self {
+                $function(self)
+            }
+        )*
+    };
+}
+
 /// Operations that are the same in every precision.
 macro_rules! comparisons {
     ($float:ident) => {
@@ -139,37 +151,18 @@ impl Real for f64 {
     fn sin_cos(self) -> (Self, Self) {
         libm::sincos(self)
     }
-    #[inline]
-    fn sqrt(self) -> Self {
-        libm::sqrt(self)
-    }
-    #[inline]
-    fn tan(self) -> Self {
-        libm::tan(self)
-    }
-    #[inline]
-    fn asin(self) -> Self {
-        libm::asin(self)
-    }
-    #[inline]
-    fn acos(self) -> Self {
-        libm::acos(self)
-    }
-    #[inline]
-    fn atan(self) -> Self {
-        libm::atan(self)
+    functions! {
+        sqrt = libm::sqrt;
+        tan = libm::tan;
+        asin = libm::asin;
+        acos = libm::acos;
+        atan = libm::atan;
+        exp = libm::exp;
+        ln = libm::log;
     }
     #[inline]
     fn atan2(self, x: Self) -> Self {
         libm::atan2(self, x)
-    }
-    #[inline]
-    fn exp(self) -> Self {
-        libm::exp(self)
-    }
-    #[inline]
-    fn ln(self) -> Self {
-        libm::log(self)
     }
     comparisons!(f64);
     #[inline]
@@ -191,37 +184,18 @@ impl Real for f32 {
     fn sin_cos(self) -> (Self, Self) {
         single::sin_cos(self)
     }
-    #[inline]
-    fn sqrt(self) -> Self {
-        libm::sqrtf(self)
-    }
-    #[inline]
-    fn tan(self) -> Self {
-        single::tan(self)
-    }
-    #[inline]
-    fn asin(self) -> Self {
-        single::asin(self)
-    }
-    #[inline]
-    fn acos(self) -> Self {
-        libm::acosf(self)
-    }
-    #[inline]
-    fn atan(self) -> Self {
-        libm::atanf(self)
+    functions! {
+        sqrt = libm::sqrtf;
+        tan = single::tan;
+        asin = single::asin;
+        acos = libm::acosf;
+        atan = libm::atanf;
+        exp = libm::expf;
+        ln = libm::logf;
     }
     #[inline]
     fn atan2(self, x: Self) -> Self {
         libm::atan2f(self, x)
-    }
-    #[inline]
-    fn exp(self) -> Self {
-        libm::expf(self)
-    }
-    #[inline]
-    fn ln(self) -> Self {
-        libm::logf(self)
     }
     comparisons!(f32);
     #[inline]
