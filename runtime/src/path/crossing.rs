@@ -43,7 +43,7 @@ const BRIEF: f64 = 0.25;
 /// The condition decreases to this fraction at least when its distance from a change point is doubled.
 const LEAST_DECREASE: f64 = 0.75;
 
-/// What is found from both sides may differ by this many of the errors that rounding leaves in a state.
+/// States found from both sides may differ by this multiple of the rounding errors of a state.
 const LOST: f64 = 64.0;
 
 /// Times within this multiple of the last state's distance from the crossing count as the crossing itself.
@@ -116,7 +116,7 @@ fn through<T: Float, const N: usize>(
 /// errors of q, q̇, q̈ from the solved equations:  κ ε, κ² ε, κ³ ε          κ the condition
 /// ```
 ///
-/// What is found from states on both sides may differ by no more than these.
+/// The refined state may differ from the given one by no more than these.
 #[cold]
 #[inline(never)]
 pub(crate) fn refine_beside<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut State<T, N>) {

@@ -18,7 +18,7 @@ use proc_macro2::Ident;
 /// The most points. Each interval is written out.
 const MOST: usize = 64;
 
-/// A spline that misses its points by more than this part of its size is refused.
+/// A spline that misses its points by more than this fraction of its size is refused.
 const MISSES: f64 = 1e-9;
 
 /// What is known at the ends.

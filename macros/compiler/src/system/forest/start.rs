@@ -12,7 +12,7 @@ const OPPOSED: f64 = -1e-9;
 /// Unit vectors are parallel at the start, in the same direction or not, if the size of their product is above this.
 const PARALLEL: f64 = 1.0 - 1e-9;
 
-/// A vector is parallel to an axis if the square of its part across the axis is at most this share of its own square.
+/// A vector is parallel to an axis if the square of its part across the axis is at most this fraction of its own square.
 const ALONG: f64 = 1e-12;
 
 impl Forest<'_> {
@@ -278,7 +278,8 @@ impl Forest<'_> {
         }
     }
 
-    /// Ground, or the body with a declared orientation, against which no joint turns a body at the start; `None` if joints turn it against all of them.
+    /// Ground, or the body with a declared orientation, against which no joint turns a body at the start; `None` if joints turn it against each of
+    /// them.
     fn keeps(&self, body: Option<usize>) -> Option<Option<usize>> {
         let Some(number) = body.filter(|body| !self.has_orientation(*body)) else { return Some(body) };
         let started = self.started.get(&number).filter(|started| !started.is_hinged)?;
