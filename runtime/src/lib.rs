@@ -161,7 +161,8 @@ pub use linear::{AtIterate, Turning, third_derivatives, zeros};
 pub use linear::{Eliminated, Elimination, Entries, FactorReal, Factors, Linear, Order, Small, Sparse};
 pub use nalgebra;
 pub use names::{
-    BranchEnd, Cause, Coordinate, CoordinateKind, Culprit, Description, Operations, ParameterOutOfRange, Plan, PlanStage, Row,
+    BranchEnd, Cause, Coordinate, CoordinateEntries, CoordinateKind, Culprit, Description, Operations, ParameterOutOfRange, Plan,
+    PlanStage, Row,
 };
 pub use newton::{Block, Iterate, Solved, SolvedInPlace, StepError};
 pub use number::{DetSign, Ends, Float, Mask, Real, Scalar, SimdReal, Single, Table, Time, Times};

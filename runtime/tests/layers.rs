@@ -1,5 +1,6 @@
-//! The runtime consists of layers: each uses the layers below it only.
+//! The runtime consists of layers: each uses the layers below it only. Nor do files of a layer name each other in a circle.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -38,5 +39,39 @@ fn arrows_between_folders_go_down() -> Result<(), Box<dyn Error>> {
             }
         }
     }
+    Ok(())
+}
+
+/// The files that each file of a folder names by `super::`; names that the folder re-exports do not count.
+fn named_beside(folder: &Path) -> Result<BTreeMap<String, BTreeSet<String>>, Box<dyn Error>> {
+    let mut named = BTreeMap::new();
+    for file in files(folder)?.into_iter().filter(|file| file.parent() == Some(folder)) {
+        let own = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let mut others = BTreeSet::new();
+        for line in fs::read_to_string(&file)?.lines() {
+            let code = line.split("//").next().unwrap_or_default();
+            let target = |rest: &str| rest.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default().to_owned();
+            others.extend(code.split("super::").skip(1).map(target).filter(|other| folder.join(other).with_extension("rs").exists()));
+        }
+        others.remove(&own);
+        named.insert(own, others);
+    }
+    Ok(named)
+}
+
+#[test]
+fn files_of_a_layer_do_not_name_each_other_in_a_circle() -> Result<(), Box<dyn Error>> {
+    let (source, mut count) = (Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), 0);
+    for layer in LAYERS {
+        let mut open = named_beside(&source.join(layer))?;
+        count += open.values().map(BTreeSet::len).sum::<usize>();
+        // Files that name no file which is still open are taken away, until none is left.
+        while !open.is_empty() {
+            let left: BTreeSet<String> = open.keys().cloned().collect();
+            open.retain(|_, others| others.iter().any(|other| left.contains(other)));
+            assert!(open.len() < left.len(), "circle in `{layer}`: {:?}", open.keys());
+        }
+    }
+    assert!(count > 0, "no file was read");
     Ok(())
 }

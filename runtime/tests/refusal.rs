@@ -5,8 +5,7 @@ mod common;
 use common::four_bar::{CRANK_ROCKER, Driven, FourBar};
 use reuleaux::nalgebra::{SMatrix, SVector};
 use reuleaux::{
-    Cause, Coordinate, CoordinateKind, Coordinates, Culprit, Description, Equations, Mechanism, ParameterOutOfRange, Row, Solver, Stages,
-    StepError,
+    Cause, Coordinate, Coordinates, Culprit, Description, Equations, Mechanism, ParameterOutOfRange, Row, Solver, Stages, StepError,
 };
 
 /// The crank-rocker driven at the rocker, which swings outwards into its dead point.
@@ -115,8 +114,7 @@ impl<const TURNS: bool> Stages<f64, 1> for Slider<TURNS> {
 
 impl<const TURNS: bool> Description<f64, 1> for Slider<TURNS> {
     const NAME: &'static str = "Slider";
-    const COORDINATES: &'static [Coordinate] =
-        &[Coordinate { body: "slider", name: "x", kind: if TURNS { CoordinateKind::Angle } else { CoordinateKind::Length } }];
+    const COORDINATES: &'static [Coordinate] = &[if TURNS { Coordinate::angle("slider", "x") } else { Coordinate::length("slider", "x") }];
     const ROWS: &'static [Row] = &[Row { joint: "rail", kind: "drive_x", index: 1, of: 1, unit: "m" }];
 
     fn start(&self) -> SVector<f64, 1> {

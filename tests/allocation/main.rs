@@ -38,7 +38,7 @@ fn check<M: Mechanism<f64, N> + Stages<f64, N>, const N: usize>(mechanism: &M) {
 }
 
 #[test]
-fn reference_mechanisms_need_none() {
+fn reference_mechanisms_need_no_allocation() {
     check(&FourBarCrankRocker::default());
     check(&SliderCrank::default());
     check(&TheoJansenLeg::default());
@@ -69,7 +69,7 @@ reuleaux::mechanism! {
 }
 
 #[test]
-fn shared_code_slices_and_large_blocks_need_none() {
+fn shared_code_slices_and_large_blocks_need_no_allocation() {
     let row = Row { incline: 0.2 };
     check(&row);
     check(&row.prepared());
@@ -78,7 +78,7 @@ fn shared_code_slices_and_large_blocks_need_none() {
 }
 
 #[test]
-fn failures_need_none() {
+fn failures_need_no_allocation() {
     let never_closes = FourBarCrankRocker { crank_length: 7.0, ..Default::default() };
     without_memory("a loop that does not close", || assert!(never_closes.solve(0.0).is_err()));
     let no_number = FourBarCrankRocker { crank_length: f64::NAN, ..Default::default() };
@@ -90,13 +90,13 @@ fn failures_need_none() {
 }
 
 #[test]
-fn singles_need_none() {
+fn singles_need_no_allocation() {
     let mechanism = FourBarCrankRocker::<f32>::with_defaults();
     without_memory("f32", || assert!(mechanism.sweep((0..100_u8).map(|step| f32::from(step) / 100.0)).all(|state| state.is_ok())));
 }
 
 #[test]
-fn lanes_need_none() {
+fn lanes_need_no_allocation() {
     let lengths = [0.1, 0.09, 0.11, 7.0];
     let mechanisms = lengths.map(|crank_length| FourBarCrankRocker { crank_length, ..Default::default() });
     without_memory("four lanes, one of which does not close", || {
@@ -136,7 +136,7 @@ reuleaux::mechanism! {
 }
 
 #[test]
-fn inputs_need_none() {
+fn inputs_need_no_allocation() {
     let mechanism = Measured::default();
     let at = |angle: f64| MeasuredInputs { theta: reuleaux::Motion::at(angle) };
     let mut state = mechanism.solve(0.0, at(0.5)).unwrap();

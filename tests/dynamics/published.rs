@@ -40,7 +40,7 @@ mechanism! {
 
 /// The crank makes 2.5 turns in 0.03 s and errors grow with its angle; the published state has about ten digits.
 #[test]
-fn andrews_mechanism_squeezes() {
+fn andrews_mechanism_squeezes_as_published() {
     let reference = file("andrews.json");
     let reference = &reference["dynamics_cartesian"];
     let mechanism = Andrews::default();
@@ -81,7 +81,7 @@ mechanism! {
 
 /// The motion is chaotic: errors grow as the file says.
 #[test]
-fn rods_swing() {
+fn rods_swing_as_published() {
     let reference = file("pendulum.json");
     let reference = &reference["double"];
     let mechanism = Rods::default();

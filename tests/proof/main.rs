@@ -62,7 +62,7 @@ where
 }
 
 #[test]
-fn six_mechanisms() {
+fn states_of_six_mechanisms_are_within_their_bounds() {
     mechanism_is_bounded::<FourBarCrankRocker, _>("four_bar_crank_rocker");
     mechanism_is_bounded::<SliderCrank, _>("slider_crank");
     mechanism_is_bounded::<QuickReturn, _>("quick_return");
@@ -93,7 +93,7 @@ fn on(model: &'static str) -> impl Fn(&Value) -> bool {
 }
 
 #[test]
-fn stress_families() {
+fn states_of_stress_families_are_within_their_bounds() {
     family_is_bounded::<FourBar, _>("change_point", |_| true);
     family_is_bounded::<Dyad, _>("collinear_dyad", |_| true);
     family_is_bounded::<RockerDrivenFourBar, _>("dead_point", |_| true);

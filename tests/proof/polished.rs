@@ -43,7 +43,7 @@ where
 }
 
 #[test]
-fn stress_families() {
+fn polished_states_of_stress_families_are_the_nearest() {
     family_is_nearest::<FourBar, _>("change_point", |_| true);
     family_is_nearest::<Dyad, _>("collinear_dyad", |_| true);
     family_is_nearest::<RockerDrivenFourBar, _>("dead_point", |_| true);
@@ -77,7 +77,7 @@ fn first_bar(dyad: &Dyad, t: f64) -> [Twofold; 3] {
 
 /// A polished state has all digits, even where doubles lose more and more of them.
 #[test]
-fn dyads_near_their_toggle() {
+fn polished_states_of_dyads_near_their_toggle_are_the_nearest() {
     for (a, b, ratio) in [(1.0, 0.7, 1.0), (0.8, 0.55, -0.3), (1.3, 1.1, 0.8)] {
         let mut worst = 0.0_f64;
         for digits in 2..=12 {

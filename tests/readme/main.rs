@@ -69,10 +69,13 @@ fn seven_coordinates_are_computed_and_two_are_iterated() {
 #[test]
 fn every_kind_of_the_library_has_its_row() {
     let (plane, space) = README.split_once("\n| joint in space ").expect("the tables of space stand below those of the plane");
-    let (space, laws) = space.split_once("\n| motion law ").expect("the laws stand below the joints");
-    let rows: [(&str, Vec<&str>); 3] = [
+    let (space, forces) = space.split_once("\n| force ").expect("the forces stand below the joints");
+    let (forces, laws) = forces.split_once("\n| motion law ").expect("the laws stand below the forces");
+    let rows: [(&str, Vec<&str>); 5] = [
         (plane, library::constraints(Ambient::Plane).collect()),
         (space, library::constraints(Ambient::Space).collect()),
+        (forces, library::forces(Ambient::Plane).collect()),
+        (forces, library::forces(Ambient::Space).collect()),
         (laws, library::functions().collect()),
     ];
     for (table, names) in rows {

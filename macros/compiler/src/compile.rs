@@ -213,7 +213,7 @@ fn check(definitions: &ast::Definitions, diag: &mut Diag) {
     if !diag.is_clean() {
         return;
     }
-    resolve::check_names(definitions, diag);
+    export::check_names(definitions, diag);
     let is_constraint =
         |defined: &ast::Defined| if let ast::Defined::Constraint(definition) = defined { Some(definition.clone()) } else { None };
     let all: Vec<ast::Definition> = definitions.exports.iter().flat_map(|export| &export.definitions).filter_map(is_constraint).collect();
@@ -225,7 +225,7 @@ fn check(definitions: &ast::Definitions, diag: &mut Diag) {
     }
 }
 
-/// Checks a component as mechanisms would import it. What is wrong in another one that it calls is reported once.
+/// Checks a component as mechanisms would import it. A mistake in another component that it calls is reported once.
 fn check_component(component: &ast::ComponentItem, handed: TokenStream, diag: &mut Diag) {
     let name = &component.head.name;
     let tree = syntax::without_items(name.clone(), component.head.ambient.unwrap_or_default());

@@ -9,12 +9,31 @@
 //!   ─▶ ::reuleaux::__resume! { { constraint rolling … } { known } rolling { … } }
 //! ```
 
+use crate::diag::{Diag, EquationFact, NameFact};
 use crate::quantity::Ambient;
 use crate::syntax::ast::{ComponentItem, Defined, Definitions, Export, Use};
 use crate::syntax::{self, plain};
 use proc_macro2::{Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote, quote_spanned};
 use std::collections::BTreeSet;
+
+/// Reports duplicate names among the exports, and empty bundles.
+pub(crate) fn check_names(definitions: &Definitions, diag: &mut Diag) {
+    let unique = |names: Vec<&Ident>, diag: &mut Diag| {
+        for (position, name) in names.iter().enumerate() {
+            if names[..position].contains(name) {
+                diag.refuse::<()>(*name, NameFact::Duplicate { name: name.to_string(), first: "another definition" });
+            }
+        }
+    };
+    unique(definitions.exports.iter().map(|export| &export.name).collect(), diag);
+    for bundle in definitions.exports.iter().filter(|export| export.is_bundle) {
+        if bundle.definitions.is_empty() {
+            diag.refuse::<()>(&bundle.name, EquationFact::EmptyBundle { name: bundle.name.to_string() });
+        }
+        unique(bundle.own_names(), diag);
+    }
+}
 
 /// The macros that stand for definitions; `is_broken` ones hand over nothing, so that a mistake is
 /// reported once.

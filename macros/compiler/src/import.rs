@@ -1,7 +1,7 @@
 //! Definitions that the `use` items of a mechanism bring in.
 //!
 //! A component of `constraint!` has a home: the definitions that it sees there, which are handed over together with it. Names of the mechanism cannot
-//! change what it means. Components become generated types, so that those of one name have to be one.
+//! change its meaning. Components become generated types, so that two components of one name have to be the same.
 
 use crate::diag::{Diag, NameFact, ValueFact};
 use crate::quantity::Ambient;
@@ -14,12 +14,12 @@ use std::rc::Rc;
 /// Constraints and forces, each with its name in the mechanism.
 pub(crate) type Definitions = Vec<(String, Definition)>;
 
-/// What all `use` items bring in.
+/// Definitions that all `use` items bring in, and those that come along.
 #[derive(Debug, Default)]
 pub(crate) struct Imported {
     pub(crate) definitions: Definitions,
     pub(crate) components: Vec<Shared<ComponentItem>>,
-    /// What the components see.
+    /// The definitions that the components see.
     pub(crate) homes: Vec<ComponentHome>,
     /// By name in the mechanism, a component, its crate and tokens, and true if its name is that of a `use` item.
     known: BTreeMap<String, (Shared<ComponentItem>, String, bool)>,

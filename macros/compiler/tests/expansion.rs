@@ -14,7 +14,7 @@ fn expansion() -> TokenStream {
 
 /// Run in the separate process.
 #[test]
-fn compiles_one() {
+fn an_expansion_is_rust() {
     let expansion = expansion();
     println!("{expansion}");
     assert!(syn::parse2::<syn::File>(expansion).is_ok());
@@ -38,7 +38,7 @@ fn sines_of_inputs_and_of_parameters_of_parts_have_names() {
 /// Output of a process that compiles with a folder for expansions.
 fn compiled_with(folder: &Path) -> String {
     let this = std::env::current_exe().expect("this program");
-    let made = Command::new(this).args(["--exact", "compiles_one", "--nocapture"]).env("REULEAUX_EXPAND", folder).output();
+    let made = Command::new(this).args(["--exact", "an_expansion_is_rust", "--nocapture"]).env("REULEAUX_EXPAND", folder).output();
     let made = made.expect("it runs");
     assert!(made.status.success());
     String::from_utf8(made.stdout).expect("text")
@@ -49,7 +49,7 @@ fn temporary(name: &str) -> PathBuf {
 }
 
 #[test]
-fn is_written_formatted() {
+fn the_file_is_the_formatted_expansion() {
     let folder = temporary("expanded");
     let _ = std::fs::remove_dir_all(&folder);
     compiled_with(&folder);

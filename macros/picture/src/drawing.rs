@@ -143,7 +143,7 @@ impl Drawing<'_> {
     /// `o: revolute of ground and crank`; the name alone in a mechanism of very many bodies.
     pub(crate) fn title(&self, joint: usize) -> String {
         let sign = &self.scene.joints[joint];
-        if self.scene.bodies.len() > crate::picture::ALL_NAMED {
+        if self.scene.bodies.len() > crate::labels::ALL_NAMED {
             return sign.name.clone();
         }
         let body = |seen: &PlacedArgument| match seen {

@@ -7,6 +7,9 @@ use crate::canvas::{Canvas, DrawnItem, Ink, Layer, Near, Stroke, Subject, Wish};
 use crate::plane::{Place, Rectangle, is_inside, place, polar};
 use core::f64::consts::TAU;
 
+/// In mechanisms with more bodies only the first element of an array is named.
+pub(crate) const ALL_NAMED: usize = 20;
+
 /// The height of a line of text.
 pub(crate) const HEIGHT: f64 = 13.0;
 

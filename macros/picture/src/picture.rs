@@ -1,9 +1,10 @@
 //! From scenes to pictures: a single picture, or the frames of a motion in one style.
 
 use crate::canvas::Canvas;
+use crate::clearance::clearance;
 use crate::drawing::Setting;
 use crate::habits::Habits;
-use crate::labels::{Placed, labels};
+use crate::labels::{ALL_NAMED, Placed, labels};
 use crate::placed::PlacedScene;
 use crate::plane::{Place, Rectangle, place};
 use crate::scene::{Scene, Vector};
@@ -12,9 +13,6 @@ use crate::springs::KINDS;
 use crate::svg::{self, Captions, Scale};
 use crate::undrawable::Undrawable;
 use crate::view::{Extent, View};
-
-/// In mechanisms with more bodies only the first element of an array is named.
-pub(crate) const ALL_NAMED: usize = 20;
 
 /// In mechanisms with more bodies nothing is named: labels would hide the bodies.
 const MOST_NAMED: usize = 60;
@@ -103,10 +101,36 @@ pub fn animation(scenes: &[Scene], period: f64) -> Result<String, Undrawable> {
     Ok(on_white(&svg::animation(&sheets, scale, *frame, &Captions { title, description }, period), matches!(scale, Scale::Axes(_))))
 }
 
-/// Draws a single scene.
-pub(crate) fn draw(scene: &Scene) -> Result<Picture, Undrawable> {
-    let reel = Reel::of(std::slice::from_ref(scene), &[])?.ok_or(Undrawable::Empty)?;
-    reel.sheets.first().map(|sheet| reel.picture(sheet)).ok_or(Undrawable::Empty)
+impl Scene {
+    /// Draws the scene.
+    ///
+    /// # Errors
+    /// The reason why there is no picture.
+    pub fn draw(&self) -> Result<Picture, Undrawable> {
+        let reel = Reel::of(std::slice::from_ref(self), &[])?.ok_or(Undrawable::Empty)?;
+        reel.sheets.first().map(|sheet| reel.picture(sheet)).ok_or(Undrawable::Empty)
+    }
+
+    /// The picture as inline SVG, or a sentence with the reason why there is none.
+    #[must_use]
+    pub fn svg(&self) -> String {
+        match self.draw() {
+            Ok(picture) => picture.svg().to_owned(),
+            Err(undrawable) => svg::sentence(&self.name, &undrawable.sentence()),
+        }
+    }
+
+    /// Least distance between parts that a reader has to tell apart (hinges from each other and from the links of other bodies), relative
+    /// to the size of the mechanism.
+    ///
+    /// # Errors
+    /// The reason why there is no picture.
+    pub fn clearance(&self) -> Result<f64, Undrawable> {
+        if self.is_in_space() {
+            return space::clearance(self);
+        }
+        PlacedScene::of(self).map(|scene| clearance(&scene))
+    }
 }
 
 /// Frames before they are written as SVG.

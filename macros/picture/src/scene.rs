@@ -1,9 +1,5 @@
 //! The input of a drawing: a mechanism in one configuration. Lengths are in m, angles in rad.
 
-use crate::clearance::clearance;
-use crate::picture::{self, Picture};
-use crate::placed::PlacedScene;
-use crate::undrawable::Undrawable;
 use core::f64::consts::TAU;
 
 /// Number of samples of a function of one revolution.
@@ -188,35 +184,6 @@ impl Scene {
         let index = self.joints.len();
         self.joints.push(joint);
         &mut self.joints[index]
-    }
-
-    /// Draws the scene.
-    ///
-    /// # Errors
-    /// The reason why there is no picture.
-    pub fn draw(&self) -> Result<Picture, Undrawable> {
-        picture::draw(self)
-    }
-
-    /// The picture as inline SVG, or a sentence with the reason why there is none.
-    #[must_use]
-    pub fn svg(&self) -> String {
-        match self.draw() {
-            Ok(picture) => picture.svg().to_owned(),
-            Err(undrawable) => crate::svg::sentence(&self.name, &undrawable.sentence()),
-        }
-    }
-
-    /// Least distance between parts that a reader has to tell apart (hinges from each other and from the links of other bodies), relative
-    /// to the size of the mechanism.
-    ///
-    /// # Errors
-    /// The reason why there is no picture.
-    pub fn clearance(&self) -> Result<f64, Undrawable> {
-        if self.is_in_space() {
-            return crate::space::clearance(self);
-        }
-        PlacedScene::of(self).map(|scene| clearance(&scene))
     }
 
     /// True if any vector has three components. Vectors of two components then lie in the plane z = 0.

@@ -5,7 +5,7 @@ use core::ops::{Bound, RangeBounds};
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::names::{Coordinate, CoordinateKind, Operations, ParameterOutOfRange, Row};
+use crate::names::{Coordinate, CoordinateEntries, CoordinateKind, Operations, ParameterOutOfRange, Row};
 use crate::number::{Real, Scalar};
 use crate::solve::Family;
 
@@ -19,19 +19,31 @@ impl Coordinate {
     /// A coordinate of a body in m.
     #[must_use]
     pub const fn length(body: &'static str, name: &'static str) -> Self {
-        Self { body, name, kind: CoordinateKind::Length }
+        Self { body, name, kind: CoordinateKind::Length, entries: CoordinateEntries::Motion }
     }
 
     /// A coordinate of a body in rad.
     #[must_use]
     pub const fn angle(body: &'static str, name: &'static str) -> Self {
-        Self { body, name, kind: CoordinateKind::Angle }
+        Self { body, name, kind: CoordinateKind::Angle, entries: CoordinateEntries::Motion }
     }
 
     /// A dimensionless coordinate of a body.
     #[must_use]
     pub const fn number(body: &'static str, name: &'static str) -> Self {
-        Self { body, name, kind: CoordinateKind::Number }
+        Self { body, name, kind: CoordinateKind::Number, entries: CoordinateEntries::Motion }
+    }
+
+    /// A component of an output of velocities.
+    #[must_use]
+    pub const fn velocity(output: &'static str, component: &'static str) -> Self {
+        Self { entries: CoordinateEntries::Velocity, ..Self::length(output, component) }
+    }
+
+    /// The third derivative of a component of an output.
+    #[must_use]
+    pub const fn jerk(output: &'static str, component: &'static str) -> Self {
+        Self { entries: CoordinateEntries::Jerk, ..Self::length(output, component) }
     }
 }
 

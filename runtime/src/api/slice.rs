@@ -10,7 +10,7 @@ use nalgebra::SVector;
 
 use super::{Mechanism, Output, OutputName, sweep};
 use crate::explain::Failure;
-use crate::names::{Coordinate, CoordinateKind, Description, ParameterOutOfRange, Plan, Row};
+use crate::names::{Coordinate, Description, ParameterOutOfRange, Plan, Row};
 use crate::newton::StepError;
 use crate::number::{Float, Real, Times};
 use crate::solve::{Family, Solver, SolverReal, Stages};
@@ -289,7 +289,7 @@ where
 
 /// The coordinates with these indices; the components of the output follow the coordinates of the mechanism.
 const fn held<const N: usize>(whole: &[Coordinate], components: &[Coordinate], held: &[usize; N]) -> [Coordinate; N] {
-    let mut names = [Coordinate { body: "?", name: "?", kind: CoordinateKind::Length }; N];
+    let mut names = [Coordinate::length("?", "?"); N];
     let mut place = 0;
     while place < N {
         let index = held[place];

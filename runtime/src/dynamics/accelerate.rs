@@ -1,4 +1,4 @@
-//! Accelerations.
+//! Accelerations of the integrated coordinates, in closed form or by elimination of the dependent ones.
 //!
 //! ```text
 //! u̇ = N a + p          J N = 0, J p = γ
@@ -13,7 +13,7 @@ use super::places::moved;
 use super::stopped::Stopped;
 use crate::number::Scalar;
 
-/// Times ε: a pivot of the mass matrix below this part of its diagonal entry counts as zero.
+/// Times ε: a pivot of the mass matrix below this fraction of its diagonal entry counts as zero.
 const MASSLESS: f64 = 500.0;
 
 /// The accelerations of the integrated coordinates. `pivots` are taken if they are still good, and are replaced if not.
@@ -85,7 +85,7 @@ fn is_finite<T: Scalar, const N: usize>((q, qd): (&SVector<T, N>, &SVector<T, N>
     q.iter().chain(qd).chain([&t]).all(|value| value.to_f64().is_finite())
 }
 
-/// A row depends on the others.
+/// The failure if a row depends on the others.
 pub(super) fn singular<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(time: T, row: usize) -> Stopped<T>
 where
     T: Scalar,
@@ -162,7 +162,7 @@ fn dot<T: Scalar, const I: usize>(one: &[T; I], two: &[T; I]) -> T {
 /// * `matrix`: given, the lower triangle of a matrix, of which the rows and columns `order[..count]` count.
 ///
 /// # Errors
-/// The place of a row of which the rows before leave nothing above rounding.
+/// The place of a row that depends on the rows before it, to rounding.
 fn solve<T: Scalar, const I: usize>(
     matrix: &mut SMatrix<T, I, I>,
     order: &[usize; I],

@@ -6,40 +6,66 @@
 
 use nalgebra::SVector;
 
-use super::accelerate::{lengths, redundant};
+use super::accelerate::{lengths, redundant, singular};
+use super::checks::{holds, unit_of};
 use super::equations::{Constraints, Dynamics};
-use super::integrator::least;
 use super::partition::{Partition, Pivots, weakest};
 use super::places::{largest, moved, picked, put};
-use super::project::{Open, Reached, gap, levels, project_onto};
+use super::project::{Open, Reached, gap, levels, project_onto, refresh};
+use super::stopped::Stopped;
 use crate::number::Scalar;
+use crate::number::order::smaller;
+use crate::state::State;
 
-/// A part of the residuals is small enough if no coordinate moves farther, in rad or lengths.
+/// Largest change of a coordinate while one part of the residuals is taken away, in rad or lengths.
 const FAR: f64 = 0.25;
 
-/// A step along the tangent ends at most so far beside it: in rad; of a length, as a share of its change and L.
+/// Largest deviation of a step from its tangent: of an angle, in rad; of a length, relative to its change and L.
 const BESIDE: f64 = 0.05;
 
 /// Longest turn in a step along the tangent, in rad. Lengths may change by any amount.
 const LONGEST: f64 = 1.0;
 
-/// Beyond the end of a branch no coordinate moves farther, in rad or lengths.
+/// An assembly beyond the end of a branch is taken if no coordinate is farther from the guess than this, in rad or lengths.
 const TURNED: f64 = core::f64::consts::PI;
 
 /// Most steps, taken or not.
 const MOST: usize = 50_000;
 
-/// Parts of the way: none is shorter than one by this.
+/// Shortest part of the way in which residuals are taken away.
 const SHORTEST: f64 = 1.0 / 4096.0;
 
-/// Shortest step along the tangent, as a part of the way.
+/// Shortest step along the tangent, as a fraction of the way.
 const SHORTEST_STEP: f64 = 1e-9;
 
 /// A branch ends where the part of a row that is independent of the others falls below this fraction of it.
 const NEARLY_DEPENDENT: f64 = 0.01;
 
+/// The state at t = 0, at the initial values of the freedoms.
+pub fn initial_state<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(mechanism: &S) -> Result<State<T, N>, Stopped<T>>
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    mechanism.validate().map_err(Stopped::ParameterOutOfRange)?;
+    let zero = SVector::from_element(T::ZERO);
+    let (mut q, mut qd) = (mechanism.start(), zero);
+    assemble(mechanism, (&mut q, &mut qd)).map_err(|open| match open {
+        Open::Dependent(row) => singular::<T, S, N, I, M, R>(T::ZERO, row),
+        Open::After(row, share) => Stopped::AssemblyEnds { share, joint: S::JOINTS.get(row).copied().unwrap_or_default() },
+        Open::Residual(row, residual) => {
+            let joint = S::JOINTS.get(row).copied().unwrap_or_default();
+            Stopped::NotAssembled { joint, residual, unit: unit_of::<T, S, N>(joint) }
+        }
+    })?;
+    holds::<T, S, N, I, M, R>(mechanism, &q, T::ZERO)?;
+    let mut state = State::new(T::ZERO, q, qd, zero);
+    refresh(mechanism, &mut state)?;
+    Ok(state)
+}
+
 /// Moves a place from the declared start to the initial values and the parameters, and sets its speeds.
-pub(super) fn assemble<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+fn assemble<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     (q, qd): (&mut SVector<T, N>, &mut SVector<T, N>),
 ) -> Result<(), Open<T>>
@@ -98,7 +124,7 @@ where
     // Redundant joints need not close on the way: the same rows stay solved as long as their pivots are good.
     let mut rows = None;
     for _ in 0..MOST {
-        let next = least(reached + step, one);
+        let next = smaller(reached + step, one);
         let by = next - reached;
         let between = if next < one { mechanism.interpolated(next) } else { None };
         let at = between.as_ref().unwrap_or(mechanism);
@@ -170,10 +196,10 @@ where
     found
 }
 
-/// The row that depends most on the others after a share of the way, and the part of it that does not.
+/// The row that depends most on the others at λ on the way, and the fraction of it that is independent.
 fn weakest_at<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
-    share: T,
+    lambda: T,
     q: &SVector<T, N>,
 ) -> (usize, T)
 where
@@ -181,7 +207,7 @@ where
     S: Dynamics<T, N, I, M, R>,
 {
     let [of_positions, _] = levels(&S::LEVELS);
-    let between = mechanism.interpolated(share);
+    let between = mechanism.interpolated(lambda);
     let rows = initial_at(between.as_ref().unwrap_or(mechanism), q).jacobian;
     weakest(&rows, &rows, &lengths(mechanism), &of_positions, &redundant(mechanism))
 }
@@ -219,7 +245,7 @@ where
     };
     let (mut done, mut part, mut reached) = (T::ZERO, T::of(1.0), Reached::empty());
     while done < T::of(1.0) && part >= T::of(SHORTEST) {
-        let next = least(done + part, T::of(1.0));
+        let next = smaller(done + part, T::of(1.0));
         let (mut place, mut speeds) = (*q, *qd);
         let found = project_onto(mechanism, None, (&mut place, &mut speeds), at(next), &mut reached);
         let [before, after] = [&*q, &place].map(|place| picked(place, &S::INTEGRATED));

@@ -24,7 +24,7 @@ pub trait Dynamics<T: Scalar, const N: usize, const I: usize, const M: usize, co
     /// For each equation at t = 0: whether it counts between positions, and whether it counts between speeds.
     const LEVELS: [[bool; 2]; R];
 
-    /// Number of equations that are there because joints are redundant. Which of all equations follow from the others changes along the motion.
+    /// Number of redundant equations. Which ones depend on the others changes along the motion.
     const REDUNDANT: usize = 0;
 
     /// If there are any: the dimension of each equation at t = 0, as a power of a length.
@@ -53,12 +53,12 @@ pub trait Dynamics<T: Scalar, const N: usize, const I: usize, const M: usize, co
     /// The same for all equations that hold at t = 0.
     fn initial(&self, q: &SVector<T, N>, t: T, found: &mut Constraints<T, R, I>);
 
-    /// Where joints are redundant: the joint of the equation that is off most, and its residual, if one does not hold.
+    /// If a redundant equation does not hold: the joint of the equation with the largest residual, and this residual.
     fn misfit(&self, _q: &SVector<T, N>, _t: T) -> Option<(&'static str, T)> {
         None
     }
 
-    /// One bit for each kink, which changes where the kink is passed; kinks from the 65th on share bits.
+    /// The side of each kink on which the configuration is, one bit for each; kinks from the 65th on share bits.
     fn sides(&self, _q: &SVector<T, N>, _t: T) -> u64 {
         0
     }
@@ -66,7 +66,7 @@ pub trait Dynamics<T: Scalar, const N: usize, const I: usize, const M: usize, co
     /// J, γ, M and f, written into zeros or into those of another state.
     fn balance(&self, q: &SVector<T, N>, qd: &SVector<T, N>, t: T, found: &mut Balance<T, M, I>);
 
-    /// u̇ in closed form; `None` where its pivots are too small, or where it would be too long.
+    /// u̇ in closed form; `None` if that would be too long, and at configurations where its pivots are too small.
     fn accelerations(&self, _q: &SVector<T, N>, _qd: &SVector<T, N>, _t: T) -> Option<SVector<T, I>> {
         None
     }
@@ -86,7 +86,7 @@ pub trait Dynamics<T: Scalar, const N: usize, const I: usize, const M: usize, co
     fn energy(&self, q: &SVector<T, N>, qd: &SVector<T, N>, t: T) -> Energy<T>;
 }
 
-/// A mechanism whose drives say where it is at each instant. No mechanism with freedoms is one.
+/// A mechanism whose configuration is determined by its drives at every instant; it has no freedoms.
 #[doc(hidden)]
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has freedoms: forces decide where it is, and no instant can be solved by itself",

@@ -1,4 +1,4 @@
-//! Steps by rates in stages that follow from each other.
+//! Explicit Runge-Kutta steps, of order 8.
 
 use super::accelerate::accelerations;
 use super::equations::Dynamics;
@@ -9,7 +9,7 @@ use super::tableau::{Rates, STAGES, errors, node, stage, step};
 use crate::number::Scalar;
 use crate::state::State;
 
-/// Steps by rates in stages that follow from each other: order 8.
+/// Explicit Runge-Kutta steps, of order 8.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Explicit;
 

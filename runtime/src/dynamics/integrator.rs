@@ -16,6 +16,7 @@ use super::stiff::Stiff;
 use super::stopped::Stopped;
 use super::tableau::Rates;
 use crate::number::Scalar;
+use crate::number::order::smaller;
 use crate::state::State;
 
 /// Steps of a motion: their tolerance, size, and counts of evaluations.
@@ -137,8 +138,8 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
         }
         refresh(mechanism, state)?;
         if self.step == T::ZERO {
-            // A pulse that comes later is not to be stepped over from rest.
-            self.step = least(first_step(mechanism, state), T::of(FIRST) * rest.abs()).without_derivatives();
+            // From rest a long first step would miss a pulse that comes later.
+            self.step = smaller(first_step(mechanism, state), T::of(FIRST) * rest.abs()).without_derivatives();
         }
         Ok(())
     }
@@ -205,7 +206,7 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
         jumps.map(|()| (next, rates))
     }
 
-    /// The same, and apart from it whether a speed jumps.
+    /// The state after the next accepted step, the rates in its stages, and separately whether a speed jumps within it.
     ///
     /// * `reached`: given, the equations at the end of the step before, if there is one; returned, those at the end of this step.
     ///
@@ -224,14 +225,14 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
         let direction = if rest < T::ZERO { T::of(-1.0) } else { T::of(1.0) };
         let mut there = Reached::empty();
         loop {
-            let wanted = least(self.step.abs(), self.longest.abs());
+            let wanted = smaller(self.step.abs(), self.longest.abs());
             let is_last = wanted * T::of(1.0 + 1e-6) >= rest.abs();
             let h = if is_last { rest } else { direction * wanted };
             if h.abs() <= T::of(4.0) * T::EPSILON * state.t.abs() && !is_last || h.abs() < T::of(SHORTEST) {
                 return Err(too_short(mechanism, state));
             }
             self.evaluations += K::evaluations(I);
-            // A trial state that the joints do not allow means that the step is too long.
+            // If the joints do not allow the trial state, the step is too long.
             let mut error_and_speed = (T::of(f64::INFINITY), self.fastest);
             let tried = K::trial(mechanism, state, h).and_then(|trial| {
                 error_and_speed = error(mechanism, state, &trial, h, (self.tolerance, self.fastest));
@@ -249,7 +250,7 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
                 *reached = Some(there);
                 (self.accepted, self.fastest) = (self.accepted + 1, fastest);
                 let grown = wanted * factor::<T, K>(error, 6.0);
-                // A last step that was cut says nothing of the next one, unless it allows more.
+                // A last step, which was cut to end at `t`, may lengthen the next one, but not shorten it.
                 self.step = if is_last { self.step.abs().max(h.without_derivatives().abs() * factor::<T, K>(error, 6.0)) } else { grown };
                 if is_last {
                     next.values.t = t;
@@ -267,7 +268,7 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
     }
 }
 
-/// Part of the way that the first step is at most.
+/// Longest first step, as a fraction of the time to be covered.
 const FIRST: f64 = 0.01;
 
 /// Change of the step size for an error relative to the tolerance: its eighth or fourth root, with reserve.
@@ -277,11 +278,7 @@ fn factor<T: Scalar, K: Method>(error: T, most: f64) -> T {
         return T::of(0.2);
     }
     let root = (0..K::ROOTS).fold(error.max(T::of(1e-12)), |root, _| root.sqrt());
-    least((T::of(0.9) / root).max(T::of(0.2)), T::of(most))
-}
-
-pub(super) fn least<T: Scalar>(one: T, two: T) -> T {
-    if two < one { two } else { one }
+    smaller((T::of(0.9) / root).max(T::of(0.2)), T::of(most))
 }
 
 /// A step in which no coordinate moves by more than a hundredth of its scale.
@@ -294,7 +291,7 @@ where
     let [speed, acceleration] = [&state.qd, &state.qdd].map(|vector| largest(&picked(vector, &S::INTEGRATED), &lengths));
     let hundredth = T::of(0.01);
     let by_acceleration = (hundredth / acceleration.max(T::of(1e-8))).sqrt();
-    least(hundredth / speed.max(T::of(1e-8)), by_acceleration)
+    smaller(hundredth / speed.max(T::of(1e-8)), by_acceleration)
 }
 
 /// No step is shorter, in s.

@@ -10,9 +10,9 @@ use nalgebra::SVector;
 
 use super::accelerate::{lengths, redundant};
 use super::equations::{Constraints, Dynamics};
-use super::event::{between, interpolated};
 use super::partition::Partition;
 use super::places::{moved, picked, put};
+use super::quintic::{between, interpolated};
 use super::stopped::Stopped;
 use crate::number::Scalar;
 use crate::state::State;
@@ -23,7 +23,7 @@ const PARTS: usize = 8;
 /// Times ε: the shortest interval relative to the time and to the step.
 const SHORTEST: f64 = 8.0;
 
-/// Times ε: speeds that differ by less than this part of them do not jump.
+/// Times ε: relative difference of speeds below which they do not jump.
 const ROUNDED: f64 = 256.0;
 
 /// Part of a step, and the sides of all kinks there.

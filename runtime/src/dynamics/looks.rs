@@ -8,13 +8,13 @@ pub(super) const LOOKS: usize = 8;
 /// Most further looks for the place where an event turns back.
 const NEARER: usize = 8;
 
-/// Such a place is found if it moves by less than this part of a step.
+/// Such a place is found if it moves by less than this fraction of a step.
 const STILL: f64 = 1e-9;
 
-/// An event that is further from zero than this many times the error of the parabola does not reach zero there.
+/// Where a parabola is farther from zero than this multiple of its error, the event does not reach zero.
 const OFF: f64 = 8.0;
 
-/// An event that turns back nearer to zero than this part of its largest value in the step may pass zero after all: exact states decide.
+/// If an event turns back nearer to zero than this fraction of its largest value in the step, exact states decide whether it passes zero.
 const NEAR: f64 = 0.01;
 
 /// Part of a step, or time since its beginning, and the value of an event there.

@@ -1,4 +1,4 @@
-//! How steps are made.
+//! Integration methods: each tries a step.
 
 use nalgebra::SVector;
 
@@ -8,17 +8,17 @@ use super::tableau::Rates;
 use crate::number::Scalar;
 use crate::state::State;
 
-/// How a step is made.
+/// An integration method.
 pub trait Method: Copy {
-    /// Times the square root is taken of an error for the change of the step size.
+    /// Number of square roots that turn an error into a factor of the step size: three make an eighth root.
     #[doc(hidden)]
     const ROOTS: usize;
 
-    /// True if steps know the rates in their stages.
+    /// True if a step returns the rates in its stages, from which states between its ends are computed.
     #[doc(hidden)]
     const IS_DENSE: bool;
 
-    /// How often a step computes accelerations of so many coordinates.
+    /// Number of times that a step computes the accelerations of a mechanism with this many coordinates.
     #[doc(hidden)]
     fn evaluations(coordinates: usize) -> usize;
 
@@ -34,11 +34,11 @@ pub trait Method: Copy {
         S: Dynamics<T, N, I, M, R>;
 }
 
-/// A step before the equations are fulfilled.
+/// A step before its end is projected onto the equations.
 pub struct Trial<T, const N: usize, const I: usize> {
     /// Positions and speeds at its end.
     pub(super) end: [SVector<T, N>; 2],
-    /// Two estimates of the error of each, of which the second damps the first.
+    /// Two estimates of the error of each; the second damps the first.
     pub(super) errors: [[[T; 2]; I]; 2],
     /// Rates in the stages, of an explicit step.
     pub(super) rates: Option<Rates<T, I>>,

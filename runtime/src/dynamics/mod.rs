@@ -8,11 +8,11 @@
 //! 1. `equations`: functions that a mechanism provides.
 //! 2. `partition`: dependent and independent speeds, chosen by the pivots of an elimination of J with complete pivoting.
 //! 3. `accelerate`: accelerations, with a mass matrix of the size of the independent speeds.
-//! 4. `project`: positions and speeds that fulfil the equations.
+//! 4. `project`: positions and speeds that fulfil the equations; `assemble`: initial ones.
 //!    `checks`: whether redundant equations hold as well.
 //! 5. `method`: how a step is tried, `explicit` with order 8 (`tableau`), or `stiff` with order 4 by linear equations.
 //!    `step`: its end, where a projection lets no joint drift open, and its error; `rank`: whether the equations stay independent on the way.
-//! 6. `integrator`: the sizes of steps; `event`: instants within a step; `jump`: speeds that jump there.
+//! 6. `integrator`: the sizes of steps; `event`: instants within a step; `jump`: speeds that jump there; `quintic`: states in between.
 //! 7. `sweep`: states at given times, between the ends of steps by `dense`.
 
 mod accelerate;
@@ -29,6 +29,7 @@ mod method;
 mod partition;
 mod places;
 mod project;
+mod quintic;
 mod rank;
 mod step;
 mod stiff;
@@ -47,7 +48,8 @@ pub use sweep::MotionSweep;
 /// Functions behind the methods of a mechanism with freedoms.
 #[doc(hidden)]
 pub mod motion {
+    pub use super::assemble::initial_state;
     pub use super::checks::misfit;
-    pub use super::project::{complete, enter, initial_state, refresh, refresh_inlined};
+    pub use super::project::{complete, enter, refresh, refresh_inlined};
     pub use super::step::fixed_step;
 }

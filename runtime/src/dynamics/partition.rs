@@ -2,10 +2,10 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::integrator::least;
 use crate::number::Scalar;
+use crate::number::order::smaller;
 
-/// Times √ε: a pivot below this part of its row counts as zero.
+/// Times √ε: a pivot below this fraction of its row counts as zero.
 const DEPENDENT: f64 = 0.01;
 
 /// Known pivots are taken again as long as none falls below this fraction of its size when they were chosen.
@@ -81,7 +81,7 @@ impl<T, const M: usize, const I: usize> Pivots<T, M, I> {
     {
         let lengths = ordered(lengths, &self.unknowns, T::of(1.0));
         let pivots = self.sizes.iter().zip(&lengths).zip(ordered(sizes, &self.rows, T::of(1.0))).take(self.count);
-        pivots.fold(T::of(1.0), |smallest, ((pivot, length), size)| least(smallest, *pivot * *length / size))
+        pivots.fold(T::of(1.0), |smallest, ((pivot, length), size)| smaller(smallest, *pivot * *length / size))
     }
 
     /// Whether the determinant is above zero; `None` if there are fewer pivots than unknowns.

@@ -2,9 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::accelerate::{eliminated, lengths, redundant, singular};
-use super::assemble::assemble;
-use super::checks::{holds, unit_of};
+use super::accelerate::{eliminated, lengths, redundant};
 use super::equations::{Constraints, Dynamics};
 use super::partition::{ABOUT_AS_GOOD, Partition, Pivots, WORSE};
 use super::places::{is_finite, largest, moved, picked, put};
@@ -72,7 +70,7 @@ where
     let (q, qd) = state;
     let (lengths, redundant) = (lengths(mechanism), redundant(mechanism));
     let [of_positions, of_speeds] = levels(&S::LEVELS);
-    // Where the same rows count between positions and between speeds, the same pivots are good.
+    // If the same rows count for positions and for speeds, the same pivots are good for both.
     let are_same = of_positions == [true; K] && of_speeds == [true; K];
     let mut kept = known.filter(|_| are_same).copied();
     let fraction = T::of(if S::REDUNDANT == 0 { ABOUT_AS_GOOD } else { WORSE });
@@ -87,7 +85,7 @@ where
         let mut counts = of_positions;
         if S::REDUNDANT > 0 {
             counts = parts.pivots.among(&of_positions);
-            // Those that do not fit would not settle if others were chosen at each correction.
+            // The same rows from now on: if each correction chose others, redundant joints that do not fit would never settle.
             (kept, open) = (Some(parts.pivots), gap(here, &counts));
         }
         let correction = parts.unknowns(&[T::ZERO; I]);
@@ -95,7 +93,7 @@ where
         if !correction.iter().all(|correction| correction.is_finite()) {
             break;
         }
-        // Corrections are squared from one to the next.
+        // Newton's method converges quadratically.
         let is_last = size < T::ROOT_EPSILON;
         let mut factor = T::of(1.0);
         let start = picked(q, &S::INTEGRATED);
@@ -128,7 +126,7 @@ pub(super) enum Open<T> {
     Residual(usize, T),
     /// A row depends on the others.
     Dependent(usize),
-    /// A row depends on the others after this share of the way to other parameters.
+    /// A row depends on the others after this fraction of the way to other parameters.
     After(usize, T),
 }
 
@@ -163,29 +161,6 @@ pub(super) fn levels<const R: usize, const K: usize>(levels: &[[bool; 2]; R]) ->
     [of_positions, of_speeds]
 }
 
-/// The state at t = 0, at the initial values of the freedoms.
-pub fn initial_state<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(mechanism: &S) -> Result<State<T, N>, Stopped<T>>
-where
-    T: Scalar,
-    S: Dynamics<T, N, I, M, R>,
-{
-    mechanism.validate().map_err(Stopped::ParameterOutOfRange)?;
-    let zero = SVector::from_element(T::ZERO);
-    let (mut q, mut qd) = (mechanism.start(), zero);
-    assemble(mechanism, (&mut q, &mut qd)).map_err(|open| match open {
-        Open::Dependent(row) => singular::<T, S, N, I, M, R>(T::ZERO, row),
-        Open::After(row, share) => Stopped::AssemblyEnds { share, joint: S::JOINTS.get(row).copied().unwrap_or_default() },
-        Open::Residual(row, residual) => {
-            let joint = S::JOINTS.get(row).copied().unwrap_or_default();
-            Stopped::NotAssembled { joint, residual, unit: unit_of::<T, S, N>(joint) }
-        }
-    })?;
-    holds::<T, S, N, I, M, R>(mechanism, &q, T::ZERO)?;
-    let mut state = State::new(T::ZERO, q, qd, zero);
-    refresh(mechanism, &mut state)?;
-    Ok(state)
-}
-
 /// Sets the accelerations of a state, and all its entries that follow from the integrated ones.
 pub fn refresh<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
@@ -198,7 +173,7 @@ where
     refresh_inlined(mechanism, state)
 }
 
-/// The same, compiled into its caller, which shares sines and determinants with it.
+/// As [`refresh`], inlined into its caller, which then computes sines and determinants once.
 #[inline(always)]
 pub fn refresh_inlined<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,

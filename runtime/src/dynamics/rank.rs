@@ -1,4 +1,4 @@
-//! Rank over a step.
+//! Whether the equations stay independent over a step: the rank of J.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -15,7 +15,7 @@ use crate::state::State;
 /// Most steps of the search for an instant.
 const SEARCH: usize = 60;
 
-/// Below this part of its row an equation depends on the others.
+/// A row depends on the others if a smaller fraction of it is independent of them.
 const LOST: f64 = 1e-4;
 
 /// Checks that the equations stay independent over a step.
@@ -24,7 +24,7 @@ const LOST: f64 = 1e-4;
 /// * `to`: given, the state after the step, and J there.
 ///
 /// # Errors
-/// When they do not, and a joint whose equations depend on the others there.
+/// The instant at which they become dependent, and a joint whose equations depend on those of others.
 pub(super) fn keeps_rank<K: Method, T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     (from, before): (&State<T, N>, Option<&Reached<T, M, I>>),
@@ -71,10 +71,10 @@ where
     again.is_ok() && !has_other_signs(&before, &after, &parts.pivots)
 }
 
-/// Searches the instant in a step at which a pivot changes its sign.
+/// Finds the instant within a step at which a pivot changes its sign.
 ///
 /// # Errors
-/// That instant, and a joint whose equations depend on the others there, if there is one.
+/// If J is singular then: the instant, and a joint whose equations depend on those of others.
 #[cold]
 #[inline(never)]
 fn search<K: Method, T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
@@ -90,7 +90,7 @@ where
     let (mut low, mut high, mut last) = (T::ZERO, end - from.t, *start);
     for _ in 0..SEARCH {
         let h = (low + high) * T::of(0.5);
-        // Near the instant a projection may lead to another branch: these places are those integrated.
+        // Near the instant a projection may lead to another branch: J is taken where the integration leads.
         let there = K::trial(mechanism, from, h).map(|trial| jacobian_at(mechanism, &trial.end[0], from.t + h));
         match there {
             Ok(there) if !has_other_signs(start, &there, pivots) => (low, last) = (h, there),
@@ -124,19 +124,19 @@ where
     found.jacobian
 }
 
-/// A pivot below this part of the natural size of its row may be one of equations that depend on each other.
+/// Below this fraction of the natural size of its row, a pivot may belong to dependent equations.
 const SUSPECT: f64 = 1e-4;
 
-/// Times √ε: where an equation keeps less than this part of itself beside the others, rounding decides where the motion goes. Of two branches
-/// that cross, a motion within √ε of the crossing may follow either.
+/// Times √ε: if a smaller fraction of a row is independent of the others, rounding chooses the branch. Within √ε of a crossing of two branches
+/// the motion may follow either.
 const FLAT: f64 = 100.0;
 
-/// Checks that a place is not so close to one where equations depend on each other that rounding would decide where the motion goes.
+/// Checks that no singular configuration is so near that rounding would choose the branch.
 ///
-/// * `reached`: given, J there.
+/// * `reached`: given, J at the configuration.
 ///
 /// # Errors
-/// A joint whose equations depend on the others.
+/// A joint whose equations depend on those of others.
 pub(super) fn is_regular<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     t: T,

@@ -1,4 +1,4 @@
-//! The end of a step: where it leads, and how far it is off.
+//! The end of a step: its projection onto the equations, and its error.
 
 use nalgebra::SVector;
 
@@ -37,7 +37,7 @@ where
     Ok(())
 }
 
-/// A step of fixed size may leave the equations by this part of the lengths and speeds.
+/// Largest violation of the equations after a step of fixed size, as a fraction of the lengths and speeds.
 const COARSEST: f64 = 0.1;
 
 /// Times ε: a tolerance is never stricter. A speed of so many rad/s or L/s counts as none.
@@ -48,7 +48,7 @@ const ROUNDING: f64 = 10.0;
 
 /// The state after a step, brought back to where the equations hold.
 ///
-/// Where the equations are nearly dependent, this may move speeds by any amount: a step that they move by more than its tolerance is no step.
+/// Where the equations are nearly dependent, this may move speeds by any amount; a step is refused if it moves them by more than its tolerance.
 ///
 /// * `from`, `before`: given, the state before the step, and the equations there.
 /// * `tolerance`, `fastest`: given, how far a state may be brought back relative to lengths and speeds, and the largest speed so far.
@@ -120,7 +120,7 @@ const SLOW: f64 = 1e-3;
 /// Errors of steps add up: each may have this fraction of the tolerance.
 const EACH: f64 = 0.02;
 
-/// Times ε: steps shorter than this part of the time are not shortened further for the sake of derivatives.
+/// Times ε: steps shorter than this fraction of the time are not shortened further for the sake of derivatives.
 const SHORT: f64 = 1e4;
 
 /// Derivatives may have errors larger by this factor.

@@ -13,19 +13,19 @@
 
 use super::accelerate::{accelerations, lengths};
 use super::equations::Dynamics;
-use super::integrator::least;
 use super::method::{Method, Trial};
 use super::partition::Pivots;
 use super::places::{largest, picked, put};
 use super::stopped::Stopped;
 use crate::number::Scalar;
+use crate::number::order::smaller;
 use crate::state::State;
 
 const STAGES: usize = 6;
 
 /// A speed is changed by at least this times ε h lengths. Accelerations whose terms are up to a hundredth of it, in lengths/s², are rounded to ε of
 /// them, which changes h ∂a/∂v by a hundredth at most. In single precision it is √ε h lengths. In no step do lengths change by more than √ε, so that
-/// friction does not turn within it.
+/// friction keeps its direction within the increment.
 const SLOPED: f64 = 1e7;
 
 /// γ
@@ -79,7 +79,7 @@ fn times<T: Scalar>(stage: usize) -> [T; 2] {
     }
 }
 
-/// Steps by linear equations with the derivatives of the accelerations: order 4, for stiff motions.
+/// Linearly implicit steps (Rosenbrock), of order 4, for stiff motions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stiff;
 
@@ -173,11 +173,11 @@ impl<T: Scalar, S, const N: usize, const I: usize, const M: usize> MotionAt<'_, 
         S: Dynamics<T, N, I, M, R>,
     {
         let lengths = lengths(self.mechanism);
-        // Speeds change by little against what they are and what they become in the step: friction may turn within that.
+        // Increments of speeds are small against the speeds before and after the step: within more, friction may change its direction.
         let [speed, change] = [motion[1], here].map(|rates| largest(rates, &lengths));
         let fastest = speed.max(change * h.abs());
-        let sloped = least(T::of(SLOPED) * T::EPSILON, T::ROOT_EPSILON);
-        let smallest = least(sloped * h.abs(), T::ROOT_EPSILON / h.abs());
+        let sloped = smaller(T::of(SLOPED) * T::EPSILON, T::ROOT_EPSILON);
+        let smallest = smaller(sloped * h.abs(), T::ROOT_EPSILON / h.abs());
         let mut slopes = [[[T::ZERO; I]; I]; 2];
         for (part, slopes) in slopes.iter_mut().enumerate() {
             for column in 0..I {

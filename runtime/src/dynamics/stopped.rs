@@ -23,7 +23,7 @@ pub enum Stopped<T> {
     AssemblyEnds {
         /// Share of the way, between 0 and 1.
         share: T,
-        /// The joint whose equations depend on those of the others there.
+        /// A joint whose equations depend there on those of other joints.
         joint: &'static str,
     },
     /// A redundant joint does not fit: with all other joints closed it stays open.

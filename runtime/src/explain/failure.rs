@@ -3,7 +3,7 @@
 use core::error::Error;
 use core::fmt;
 
-use crate::names::{BranchEnd, Cause, Coordinate, CoordinateKind, Culprit, Measure, ParameterOutOfRange, Row};
+use crate::names::{BranchEnd, Cause, Coordinate, CoordinateEntries, CoordinateKind, Culprit, Measure, ParameterOutOfRange, Row};
 use crate::number::Float;
 use crate::state::State;
 
@@ -159,8 +159,13 @@ impl fmt::Display for Row {
 
 impl fmt::Display for Coordinate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let of = match self.entries {
+            CoordinateEntries::Motion => "",
+            CoordinateEntries::Velocity => " of velocity",
+            CoordinateEntries::Jerk => " of jerk",
+        };
         match self.kind {
-            CoordinateKind::Length | CoordinateKind::Angle => write!(f, "`{}.{}`", self.body, self.name),
+            CoordinateKind::Length | CoordinateKind::Angle => write!(f, "`{}.{}{of}`", self.body, self.name),
             // A component of a quaternion or a direction cosine.
             CoordinateKind::Number => write!(f, "the orientation of `{}` (`{}`)", self.body, self.name),
         }

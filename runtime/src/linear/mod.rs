@@ -135,8 +135,8 @@ pub trait Linear<T: SimdReal, const N: usize>: Sized + 'static {
     fn error_amplification(&self, sizes: &SVector<T, N>, reciprocals: &SVector<T, N>) -> T;
 
     /// True if every entry of b is a rounding error, at most `multiple` ε of the magnitude that
-    /// [`error_amplification`](Self::error_amplification) assumes for its row, so that A⁻¹ b is one as well. False also if that takes longer
-    /// to find out than A⁻¹ b.
+    /// [`error_amplification`](Self::error_amplification) assumes for its row, so that A⁻¹ b is one as well. False also where this test would take
+    /// longer than the solution.
     #[inline(always)]
     fn is_rounding(&self, b: &SVector<T, N>, sizes: &SVector<T, N>, multiple: T) -> T::Mask {
         let _ = (b, sizes, multiple);

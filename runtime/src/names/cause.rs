@@ -68,7 +68,7 @@ pub enum Cause<T> {
     },
     /// A parameter has a value for which the mechanism is not defined.
     ParameterOutOfRange(ParameterOutOfRange<T>),
-    /// A state that was given was solved with other inputs, or other parameters, than those of the mechanism.
+    /// The given state was solved with other inputs or other parameters than those of the mechanism.
     OtherInputs,
     /// Newton's method did not converge.
     NoConvergence {

@@ -11,13 +11,21 @@ pub struct Coordinate {
     pub name: &'static str,
     /// The quantity that it measures.
     pub kind: CoordinateKind,
+    /// The meaning of q, q̇ and q̈ at its index.
+    pub entries: CoordinateEntries,
 }
 
-/// How the name of an entry ends that has a velocity and its rate as q̇ and q̈, and no value: an output of velocities of a slice.
-pub(crate) const OF_VELOCITY: &str = " of velocity";
-
-/// How the name of an entry ends that has a third derivative of an output of a slice as q̈, and nothing else.
-pub(crate) const OF_JERK: &str = " of jerk";
+/// The meaning of q, q̇ and q̈ at the index of a coordinate. In the state of a slice the components of the output follow the coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub enum CoordinateEntries {
+    /// A value, its rate and its acceleration.
+    Motion,
+    /// q̇ is a velocity, which is the rate of no value, and q̈ its rate: an output of velocities.
+    Velocity,
+    /// q̈ is a third derivative of an output; q and q̇ mean nothing.
+    Jerk,
+}
 
 /// The quantity that a coordinate measures, which determines its scale.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,7 +69,7 @@ impl CoordinateKind {
 
 /// The coordinate with this index; `?` if a hand-written table is too short.
 pub(crate) fn coordinate(coordinates: &[Coordinate], index: usize) -> Coordinate {
-    coordinates.get(index).copied().unwrap_or(Coordinate { body: "?", name: "?", kind: CoordinateKind::Angle })
+    coordinates.get(index).copied().unwrap_or(Coordinate::angle("?", "?"))
 }
 
 /// The row with this index; `?` if a hand-written table is too short.

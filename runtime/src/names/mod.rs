@@ -7,8 +7,8 @@ mod measure;
 mod plan;
 
 pub use cause::{BranchEnd, Cause, Culprit};
-pub use coordinate::{Coordinate, CoordinateKind, Row};
-pub(crate) use coordinate::{OF_JERK, OF_VELOCITY, coordinate, row};
+pub use coordinate::{Coordinate, CoordinateEntries, CoordinateKind, Row};
+pub(crate) use coordinate::{coordinate, row};
 pub use description::{Description, ParameterOutOfRange};
 pub(crate) use measure::Measure;
 pub use plan::{Operations, Plan, PlanStage};

@@ -1,6 +1,6 @@
 //! Comparisons with a defined result for NaN.
 
-use super::Float;
+use super::{Float, Scalar};
 
 /// The greater of two numbers, or NaN if one is.
 pub(crate) fn greater<T: Float>(a: T, b: T) -> T {
@@ -10,6 +10,6 @@ pub(crate) fn greater<T: Float>(a: T, b: T) -> T {
 }
 
 /// The smaller of two numbers; `a` where they cannot be compared.
-pub(crate) fn smaller<T: Float>(a: T, b: T) -> T {
+pub(crate) fn smaller<T: Scalar>(a: T, b: T) -> T {
     if b < a { b } else { a }
 }

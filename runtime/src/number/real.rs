@@ -61,9 +61,16 @@ pub trait Real:
     /// `then` where `lhs < rhs`, `otherwise` elsewhere, also where one of the two is NaN.
     fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self;
 
-    /// The values of `then` where `lhs < rhs`, those of `otherwise` elsewhere, as [`select_less`](Self::select_less) would choose them. A number
-    /// that knows which of the two holds computes only that one.
-    #[inline]
+    /// Whether `lhs < rhs`; `None` where lanes differ, and for numbers that cannot tell.
+    #[inline(always)]
+    #[must_use]
+    fn is_less(_lhs: Self, _rhs: Self) -> Option<bool> {
+        None
+    }
+
+    /// The values of `then` where `lhs < rhs`, those of `otherwise` elsewhere, as [`select_less`](Self::select_less) would choose them. Only one
+    /// of the two is computed if [`is_less`](Self::is_less) has an answer.
+    #[inline(always)]
     #[must_use]
     fn choose_less<const K: usize>(
         lhs: Self,
@@ -71,8 +78,16 @@ pub trait Real:
         then: impl FnOnce() -> [Self; K],
         otherwise: impl FnOnce() -> [Self; K],
     ) -> [Self; K] {
-        let (then, otherwise) = (then(), otherwise());
-        core::array::from_fn(|k| Self::select_less(lhs, rhs, then[k], otherwise[k]))
+        let is_less = Self::is_less(lhs, rhs);
+        // Each is called at one place, so that nested choices do not double the code.
+        let unused = [Self::of(0.0); K];
+        let then = if is_less == Some(false) { unused } else { then() };
+        let otherwise = if is_less == Some(true) { unused } else { otherwise() };
+        match is_less {
+            Some(true) => then,
+            Some(false) => otherwise,
+            None => core::array::from_fn(|k| Self::select_less(lhs, rhs, then[k], otherwise[k])),
+        }
     }
 
     /// The greater of the two; `self` where they cannot be compared.
@@ -87,6 +102,18 @@ pub trait Real:
 
     /// Value, first and second derivative at `self` of a function that exists for `f64` only, such as a measured law.
     fn map(self, function: fn(f64) -> (f64, f64, f64)) -> (Self, Self, Self);
+}
+
+/// Functions of one number by functions of its type.
+macro_rules! functions {
+    ($($name:ident = $function:path;)*) => {
+        $(
+            #[inline]
+            fn $name(self) -> Self {
+                $function(self)
+            }
+        )*
+    };
 }
 
 /// Operations that are the same in every precision.
@@ -109,13 +136,8 @@ macro_rules! comparisons {
             if lhs < rhs { then } else { otherwise }
         }
         #[inline(always)]
-        fn choose_less<const K: usize>(
-            lhs: Self,
-            rhs: Self,
-            then: impl FnOnce() -> [Self; K],
-            otherwise: impl FnOnce() -> [Self; K],
-        ) -> [Self; K] {
-            if lhs < rhs { then() } else { otherwise() }
+        fn is_less(lhs: Self, rhs: Self) -> Option<bool> {
+            Some(lhs < rhs)
         }
     };
 }
@@ -129,37 +151,18 @@ impl Real for f64 {
     fn sin_cos(self) -> (Self, Self) {
         libm::sincos(self)
     }
-    #[inline]
-    fn sqrt(self) -> Self {
-        libm::sqrt(self)
-    }
-    #[inline]
-    fn tan(self) -> Self {
-        libm::tan(self)
-    }
-    #[inline]
-    fn asin(self) -> Self {
-        libm::asin(self)
-    }
-    #[inline]
-    fn acos(self) -> Self {
-        libm::acos(self)
-    }
-    #[inline]
-    fn atan(self) -> Self {
-        libm::atan(self)
+    functions! {
+        sqrt = libm::sqrt;
+        tan = libm::tan;
+        asin = libm::asin;
+        acos = libm::acos;
+        atan = libm::atan;
+        exp = libm::exp;
+        ln = libm::log;
     }
     #[inline]
     fn atan2(self, x: Self) -> Self {
         libm::atan2(self, x)
-    }
-    #[inline]
-    fn exp(self) -> Self {
-        libm::exp(self)
-    }
-    #[inline]
-    fn ln(self) -> Self {
-        libm::log(self)
     }
     comparisons!(f64);
     #[inline]
@@ -181,37 +184,18 @@ impl Real for f32 {
     fn sin_cos(self) -> (Self, Self) {
         single::sin_cos(self)
     }
-    #[inline]
-    fn sqrt(self) -> Self {
-        libm::sqrtf(self)
-    }
-    #[inline]
-    fn tan(self) -> Self {
-        single::tan(self)
-    }
-    #[inline]
-    fn asin(self) -> Self {
-        single::asin(self)
-    }
-    #[inline]
-    fn acos(self) -> Self {
-        libm::acosf(self)
-    }
-    #[inline]
-    fn atan(self) -> Self {
-        libm::atanf(self)
+    functions! {
+        sqrt = libm::sqrtf;
+        tan = single::tan;
+        asin = single::asin;
+        acos = libm::acosf;
+        atan = libm::atanf;
+        exp = libm::expf;
+        ln = libm::logf;
     }
     #[inline]
     fn atan2(self, x: Self) -> Self {
         libm::atan2f(self, x)
-    }
-    #[inline]
-    fn exp(self) -> Self {
-        libm::expf(self)
-    }
-    #[inline]
-    fn ln(self) -> Self {
-        libm::logf(self)
     }
     comparisons!(f32);
     #[inline]

@@ -14,7 +14,7 @@
 use super::branch::is_same_branch;
 use super::cold::cold_state;
 use crate::linear::difference;
-use crate::names::{self, Coordinate, CoordinateKind};
+use crate::names::{self, Coordinate, CoordinateEntries, CoordinateKind};
 use crate::number::Float;
 use crate::number::order::greater;
 use crate::solve::{ColdSolver, Followed};
@@ -43,7 +43,7 @@ const BRIEF: f64 = 0.25;
 /// The condition decreases to this fraction at least when its distance from a change point is doubled.
 const LEAST_DECREASE: f64 = 0.75;
 
-/// What is found from both sides may differ by this many of the errors that rounding leaves in a state.
+/// States found from both sides may differ by this multiple of the rounding errors of a state.
 const LOST: f64 = 64.0;
 
 /// Times within this multiple of the last state's distance from the crossing count as the crossing itself.
@@ -116,7 +116,7 @@ fn through<T: Float, const N: usize>(
 /// errors of q, q̇, q̈ from the solved equations:  κ ε, κ² ε, κ³ ε          κ the condition
 /// ```
 ///
-/// What is found from states on both sides may differ by no more than these.
+/// The refined state may differ from the given one by no more than these.
 #[cold]
 #[inline(never)]
 pub(crate) fn refine_beside<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut State<T, N>) {
@@ -226,10 +226,10 @@ fn combined<T: Float, const N: usize>(
     let Values { q, qd, qdd, .. } = &mut fine.values;
     let add = |entry: &mut T, other: T, share: T| *entry = *entry + share * (*entry - other);
     for i in 0..N {
-        let [of_rate, of_acceleration] = match held(coordinates, i) {
-            Held::Motion => [share, of_accelerations],
-            Held::Rate => [of_accelerations; 2],
-            Held::Acceleration => [share, of_lone],
+        let [of_rate, of_acceleration] = match entries(coordinates, i) {
+            CoordinateEntries::Motion => [share, of_accelerations],
+            CoordinateEntries::Velocity => [of_accelerations; 2],
+            CoordinateEntries::Jerk => [share, of_lone],
         };
         add(&mut q[i], coarse.q[i], share);
         add(&mut qd[i], coarse.qd[i], of_rate);
@@ -238,25 +238,11 @@ fn combined<T: Float, const N: usize>(
     fine
 }
 
-/// Which of the entries of q, q̇ and q̈ at an index belong together.
-enum Held {
-    /// All of them: q̇ is the rate of q.
-    Motion,
-    /// q̇ and q̈: a velocity and its rate, without a value of which it is the rate.
-    Rate,
-    /// q̈ alone: a third derivative of an output.
-    Acceleration,
-}
-
-/// What a coordinate has: the first three entries of a rotation matrix have ω and ω̇ as rates, and outputs of slices say it by their names.
-fn held(coordinates: &[Coordinate], i: usize) -> Held {
+/// The meaning of the entries at an index. Beside the first three entries of a rotation matrix stand ω and ω̇, the rates of none of them.
+fn entries(coordinates: &[Coordinate], i: usize) -> CoordinateEntries {
     let coordinate = names::coordinate(coordinates, i);
-    match coordinate.kind {
-        CoordinateKind::Number if coordinate.name.starts_with('a') => Held::Rate,
-        _ if coordinate.name.ends_with(names::OF_VELOCITY) => Held::Rate,
-        _ if coordinate.name.ends_with(names::OF_JERK) => Held::Acceleration,
-        _ => Held::Motion,
-    }
+    let is_of_matrix = coordinate.kind == CoordinateKind::Number && coordinate.name.starts_with('a');
+    if is_of_matrix { CoordinateEntries::Velocity } else { coordinate.entries }
 }
 
 /// The state at `t` of the polynomial of fifth degree through two states, their rates and their accelerations, on the branch of the second;
@@ -274,15 +260,15 @@ fn interpolated<T: Float, const N: usize>(near: &State<T, N>, far: &State<T, N>,
         let value = ((far.q[i] - near.q[i]) - first) - of(0.5) * second;
         let rate = h * (far.qd[i] - near.qd[i]) - second;
         let acceleration = h * h * (far.qdd[i] - near.qdd[i]);
-        let [c3, c4, c5] = match held(coordinates, i) {
-            Held::Motion => {
+        let [c3, c4, c5] = match entries(coordinates, i) {
+            CoordinateEntries::Motion => {
                 let c3 = of(10.0) * value - of(4.0) * rate + of(0.5) * acceleration;
                 let c4 = of(7.0) * rate - of(15.0) * value - acceleration;
                 [c3, c4, of(6.0) * value - of(3.0) * rate + of(0.5) * acceleration]
             }
             // The integral of ω, without its value.
-            Held::Rate => [rate - acceleration / of(3.0), of(0.25) * acceleration - of(0.5) * rate, of(0.0)],
-            Held::Acceleration => {
+            CoordinateEntries::Velocity => [rate - acceleration / of(3.0), of(0.25) * acceleration - of(0.5) * rate, of(0.0)],
+            CoordinateEntries::Jerk => {
                 qdd[i] = near.qdd[i] + s * (far.qdd[i] - near.qdd[i]);
                 continue;
             }

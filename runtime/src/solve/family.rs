@@ -4,7 +4,7 @@ use crate::number::Real;
 
 /// The mechanisms of one declaration, over any number type; `mechanism!` implements it.
 ///
-/// With it parameters are changed all in the same way: one lane is taken out of several, or several are put side by side.
+/// It applies one operation to every parameter, for example to take one lane out of several, or to put several side by side.
 pub trait Family<T>: Sized {
     /// The same declaration over `U`.
     type Over<U: Real>: Family<U>;
@@ -12,7 +12,7 @@ pub trait Family<T>: Sized {
     /// Whether equations read [inputs](macro@crate::mechanism#input) of the mechanism.
     const HAS_INPUTS: bool = false;
 
-    /// A mechanism whose parameters are each combined from those of several.
+    /// The mechanism each of whose parameters `combine` computes from that parameter of several mechanisms.
     fn gather<U: Real, const L: usize>(each: [&Self; L], combine: impl Fn([T; L]) -> U) -> Self::Over<U>;
 
     /// The mechanism with its inputs a short time `h` (s) later, up to terms with h³: x + ẋ h + ẍ h² / 2. Inputs so get derivatives by time

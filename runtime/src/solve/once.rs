@@ -27,7 +27,7 @@ macro_rules! compiled {
 
         /// Solves a block.
         pub(super) fn solved<T: Float, L: Linear<T, K>, const K: usize>(part: &Part<'_, T, L, K>, start: &Start<T, K>) -> Outcome<T, L, K> {
-            // Constant conditions, so that nothing else is compiled for these blocks.
+            // The conditions are constants, so that the last line is compiled for other blocks only.
             $(
                 if const { L::IS_SMALL && K == $size && T::IS_PRIMITIVE && size_of::<T>() == size_of::<$float>() } {
                     return known(part, start, $function).unwrap_or(Err(StepError::Far));
@@ -50,7 +50,7 @@ compiled! {
 /// A cold start that is compiled here.
 type Compiled<F, const S: usize> = fn(&Part<'_, F, Small<F, S>, S>, &Start<F, S>) -> Outcome<F, Small<F, S>, S>;
 
-/// The outcome of `solve`, if F, `Small<F, S>` and S are T, L and K.
+/// The outcome of `solve`, if T, L and K are F, `Small<F, S>` and S.
 fn known<T: Float, L: Linear<T, K>, F: Float, const K: usize, const S: usize>(
     part: &Part<'_, T, L, K>,
     start: &Start<T, K>,
@@ -71,12 +71,12 @@ fn known<T: Float, L: Linear<T, K>, F: Float, const K: usize, const S: usize>(
     owned(solve(&known, same(start)?))
 }
 
-/// A value as one of type B, if B is A.
+/// A reference to A as one to B, if both are one type.
 fn same<A: Any, B: Any>(value: &A) -> Option<&B> {
     (value as &dyn Any).downcast_ref()
 }
 
-/// The same for a value that is handed on.
+/// A value of type A as one of type B, if both are one type.
 fn owned<A: Any, B: Any>(value: A) -> Option<B> {
     (&mut Some(value) as &mut dyn Any).downcast_mut::<Option<B>>()?.take()
 }

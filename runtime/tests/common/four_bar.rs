@@ -9,9 +9,7 @@
 //! ```
 
 use reuleaux::nalgebra::{SMatrix, SVector};
-use reuleaux::{
-    Coordinate, CoordinateKind, Coordinates, Description, Equations, Float, ParameterOutOfRange, Real, Row, Solver, Stages, StepError,
-};
+use reuleaux::{Coordinate, Coordinates, Description, Equations, Float, ParameterOutOfRange, Real, Row, Solver, Stages, StepError};
 
 /// Lengths in m, angles in rad; the driven angle is `from` + `speed` t.
 #[derive(Clone, Copy, Debug)]
@@ -46,11 +44,7 @@ pub const CRANK_ROCKER: FourBar = FourBar {
 };
 
 const fn coordinates(body: &'static str) -> [Coordinate; 3] {
-    [
-        Coordinate { body, name: "x", kind: CoordinateKind::Length },
-        Coordinate { body, name: "y", kind: CoordinateKind::Length },
-        Coordinate { body, name: "angle", kind: CoordinateKind::Angle },
-    ]
+    [Coordinate::length(body, "x"), Coordinate::length(body, "y"), Coordinate::angle(body, "angle")]
 }
 
 const fn revolute(joint: &'static str) -> [Row; 2] {

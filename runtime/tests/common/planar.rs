@@ -1,9 +1,7 @@
 //! Planar mechanisms as a list of joints. Φ is written once, over any `Real`; Φ_q, ν and γ are its exact derivatives by [`Jet`]s.
 
 use reuleaux::nalgebra::{SMatrix, SVector};
-use reuleaux::{
-    Coordinate, CoordinateKind, Coordinates, Description, Equations, Float, ParameterOutOfRange, Real, Row, Solver, Stages, StepError,
-};
+use reuleaux::{Coordinate, Coordinates, Description, Equations, Float, ParameterOutOfRange, Real, Row, Solver, Stages, StepError};
 
 use super::jet::Jet;
 
@@ -119,11 +117,7 @@ impl<const N: usize> Reference<N> {
     }
 }
 
-const BODY: [Coordinate; 3] = [
-    Coordinate { body: "body", name: "x", kind: CoordinateKind::Length },
-    Coordinate { body: "body", name: "y", kind: CoordinateKind::Length },
-    Coordinate { body: "body", name: "angle", kind: CoordinateKind::Angle },
-];
+const BODY: [Coordinate; 3] = [Coordinate::length("body", "x"), Coordinate::length("body", "y"), Coordinate::angle("body", "angle")];
 
 impl<T: Float, const N: usize> Stages<T, N> for Reference<N> {
     fn stages(&self, t: T, pass: &mut Solver<'_, T, N>) -> Result<Coordinates<T, N>, StepError<T>> {

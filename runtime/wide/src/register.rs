@@ -168,18 +168,12 @@ macro_rules! register {
                 Self(lhs.0.simd_lt(rhs.0).bitselect(then.0, otherwise.0))
             }
             #[inline(always)]
-            fn choose_less<const K: usize>(
-                lhs: Self,
-                rhs: Self,
-                then: impl FnOnce() -> [Self; K],
-                otherwise: impl FnOnce() -> [Self; K],
-            ) -> [Self; K] {
+            fn is_less(lhs: Self, rhs: Self) -> Option<bool> {
                 let is_less = lhs.0.simd_lt(rhs.0);
-                // Each is called at one place, so that nested ones do not double the code.
-                let zeros = [Self::splat(0.0); K];
-                let then = if is_less.any() { then() } else { zeros };
-                let otherwise = if is_less.all() { zeros } else { otherwise() };
-                core::array::from_fn(|k| Self(is_less.bitselect(then[k].0, otherwise[k].0)))
+                if is_less.all() {
+                    return Some(true);
+                }
+                (!is_less.any()).then_some(false)
             }
             #[inline]
             fn table(self, table: &Table) -> (Self, Self, Self) {

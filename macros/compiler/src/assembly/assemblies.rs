@@ -46,7 +46,7 @@ const ALONG: usize = 4000;
 /// Radii within which an assembly is tested for being the only one, in rad and characteristic lengths.
 const AROUND: [f64; 3] = [0.5, 0.2, 0.05];
 
-/// A Jacobian that differs from that at an assembly by a smaller relative norm than this is regular.
+/// A Jacobian is regular if its relative difference from that at an assembly has a smaller norm.
 const SHARE: f64 = 0.5;
 
 /// An assembly of a block whose iterated unknowns are all declared.

@@ -82,7 +82,7 @@ impl From<syn::Error> for Box<Refusal> {
 
 impl Refusal {
     /// Converts to a `syn` error whose underline covers the whole range.
-    pub fn to_error(&self) -> syn::Error {
+    pub(crate) fn to_error(&self) -> syn::Error {
         // `Span::join` returns `None` on stable Rust; an error made from two tokens is underlined from the first to the second.
         let ends = [Ident::new("a", self.range.first), Ident::new("b", self.range.last)];
         let tokens: TokenStream = ends.into_iter().map(proc_macro2::TokenTree::from).collect();
@@ -139,7 +139,7 @@ impl Diag {
         }
     }
 
-    /// Says of an energy, in errors after the first `known`, that it is one: a torque has the same unit.
+    /// Says energy instead of torque, which has the same unit, in the errors after the first `known`.
     pub(crate) fn of_energy<T>(&mut self, known: usize) -> Option<T> {
         for refusal in &mut self.refusals[known..] {
             let fact = if let Fact::InInstance { fact, .. } = &mut refusal.fact { fact } else { &mut refusal.fact };
@@ -150,12 +150,12 @@ impl Diag {
         None
     }
 
-    /// Takes back all errors but the first `kept`, where a single one is to say it better.
+    /// Drops all errors but the first `kept`; a single better one takes their place.
     pub(crate) fn withdraw(&mut self, kept: usize) {
         self.refusals.truncate(kept);
     }
 
-    /// If one of the errors after the first `known`, which are those of one call, names another force, drops the others among them.
+    /// Of the errors of one call, those after the first `known`: if one proposes another force, drops all others.
     pub(crate) fn keep_other_force(&mut self, known: usize) {
         let names_other = |refusal: &Refusal| {
             let fact = if let Fact::InInstance { fact, .. } = &refusal.fact { fact } else { &refusal.fact };
@@ -173,12 +173,12 @@ impl Diag {
     }
 
     /// True if a limit was exceeded.
-    pub fn is_exhausted(&self) -> bool {
+    pub(crate) fn is_exhausted(&self) -> bool {
         self.is_exhausted
     }
 
     /// True if there are no errors so far.
-    pub fn is_clean(&self) -> bool {
+    pub(crate) fn is_clean(&self) -> bool {
         self.refusals.is_empty()
     }
 
@@ -198,7 +198,7 @@ impl Diag {
     }
 
     /// All errors as `compile_error!` invocations.
-    pub fn to_tokens(&self) -> TokenStream {
+    pub(crate) fn to_tokens(&self) -> TokenStream {
         self.refusals.iter().map(|refusal| refusal.to_error().to_compile_error()).collect()
     }
 }

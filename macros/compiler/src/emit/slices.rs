@@ -103,7 +103,7 @@ impl Emitter<'_> {
     }
 
     /// Names and units of the components of an output, and the entries of the state that hold them: the components, and if they are twice as many
-    /// their third derivatives. By their names the runtime tells entries without a value, or without a rate.
+    /// their third derivatives.
     fn components_of(&self, method: &Method, entries: usize) -> (Vec<TokenStream>, Vec<TokenStream>) {
         let outputs: Vec<(String, [String; 4])> =
             method.members.iter().flat_map(|member| docs::components(self.system, &self.model.outputs[*member])).collect();
@@ -111,12 +111,11 @@ impl Emitter<'_> {
         let entry = |entry: usize| {
             let name = outputs.get(entry % outputs.len()).map_or("", |output| output.0.as_str());
             let (whole, part) = name.rsplit_once('.').unwrap_or((name, "value"));
-            let part = match entry < outputs.len() {
-                true if is_of_velocities => format!("{part} of velocity"),
-                true => part.to_owned(),
-                false => format!("{part} of jerk"),
-            };
-            quote!(::reuleaux::Coordinate::length(#whole, #part))
+            match entry < outputs.len() {
+                true if is_of_velocities => quote!(::reuleaux::Coordinate::velocity(#whole, #part)),
+                true => quote!(::reuleaux::Coordinate::length(#whole, #part)),
+                false => quote!(::reuleaux::Coordinate::jerk(#whole, #part)),
+            }
         };
         let entries = (0..entries).map(entry).collect();
         (outputs.into_iter().map(output_name).collect(), entries)

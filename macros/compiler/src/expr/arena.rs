@@ -93,7 +93,7 @@ impl Arena {
     }
 
     /// A function of one operand.
-    pub fn unary(&mut self, function: Unary, a: Expr) -> Expr {
+    pub(crate) fn unary(&mut self, function: Unary, a: Expr) -> Expr {
         self.build(Node::Unary(function, a))
     }
 
@@ -190,7 +190,7 @@ impl Arena {
 
     /// The value of a constant; `None` for any other node.
     #[must_use]
-    pub fn as_constant(&self, expr: Expr) -> Option<Exact> {
+    pub(crate) fn as_constant(&self, expr: Expr) -> Option<Exact> {
         match *self.node(expr) {
             Node::Constant(value) => Some(value),
             _ => None,
@@ -283,6 +283,11 @@ impl Arena {
         reached.in_order(found.len())
     }
 
+    /// True if an expression contains no leaves but parameters.
+    pub(crate) fn is_fixed(&self, root: Expr) -> bool {
+        self.leaves(root).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_)))
+    }
+
     /// The leaves that an expression depends on.
     #[must_use]
     pub fn leaves(&self, root: Expr) -> BTreeSet<Leaf> {
@@ -291,7 +296,7 @@ impl Arena {
 
     /// The leaves that any of several expressions depends on.
     #[must_use]
-    pub fn leaves_of(&self, roots: &[Expr]) -> BTreeSet<Leaf> {
+    pub(crate) fn leaves_of(&self, roots: &[Expr]) -> BTreeSet<Leaf> {
         let under = self.reachable_to_values(roots);
         let leaf = |expr: Expr| match *self.node(expr) {
             Node::Leaf(leaf) => Some(leaf),

@@ -1,7 +1,7 @@
 //! Partial derivatives of an expression by a leaf.
 //!
-//! All other leaves are held fixed, including the rates of the leaf. Inputs are functions of time: by time they have their rates. At a kink (`abs` and `sign` at 0, the border of a `select`) the
-//! derivative is that of the branch that is evaluated there.
+//! All other leaves are held fixed, including the rates of the leaf. Inputs are functions of time: by time they have their rates. At a kink
+//! (`abs` and `sign` at 0, the border of a `select`) the derivative is that of the branch that is evaluated there.
 
 use super::lookup::Lookup;
 use super::{Arena, Binary, Expr, Leaf, Mark, Node, Unary};

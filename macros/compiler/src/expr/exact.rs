@@ -44,7 +44,7 @@ impl Exact {
 
     /// The numerator of the rational factor; carries the sign.
     #[must_use]
-    pub const fn numerator(self) -> i128 {
+    pub(crate) const fn numerator(self) -> i128 {
         self.numerator
     }
 
@@ -56,7 +56,7 @@ impl Exact {
 
     /// The power of π.
     #[must_use]
-    pub const fn pi_power(self) -> i8 {
+    pub(crate) const fn pi_power(self) -> i8 {
         self.pi
     }
 
@@ -92,7 +92,7 @@ impl Exact {
 
     /// x + y; `None` when it does not fit, as for different powers of π.
     #[must_use]
-    pub fn checked_add(self, other: Exact) -> Option<Exact> {
+    pub(crate) fn checked_add(self, other: Exact) -> Option<Exact> {
         if self.is_zero() {
             return Some(other);
         }
@@ -117,7 +117,7 @@ impl Exact {
 
     /// x · y; `None` when it does not fit.
     #[must_use]
-    pub fn checked_mul(self, other: Exact) -> Option<Exact> {
+    pub(crate) fn checked_mul(self, other: Exact) -> Option<Exact> {
         // Reducing crosswise first keeps the products as small as the result.
         let left = Exact::reduced(self.numerator, other.denominator, 0)?;
         let right = Exact::reduced(other.numerator, self.denominator, 0)?;
@@ -128,14 +128,14 @@ impl Exact {
 
     /// x / y; `None` when y is 0 or the result does not fit.
     #[must_use]
-    pub fn checked_div(self, other: Exact) -> Option<Exact> {
+    pub(crate) fn checked_div(self, other: Exact) -> Option<Exact> {
         let inverse = Exact::reduced(other.denominator, other.numerator, other.pi.checked_neg()?)?;
         self.checked_mul(inverse)
     }
 
     /// √x if it is exact, for squares of rationals times an even power of π.
     #[must_use]
-    pub fn checked_sqrt(self) -> Option<Exact> {
+    pub(crate) fn checked_sqrt(self) -> Option<Exact> {
         if self.numerator < 0 || self.pi % 2 != 0 {
             return None;
         }

@@ -80,7 +80,7 @@ struct FixedVector {
 
 impl Arena {
     /// Adds a frame; returns its number.
-    pub fn add_frame(&mut self, frame: Frame) -> usize {
+    pub(crate) fn add_frame(&mut self, frame: Frame) -> usize {
         self.frames.frames.push(frame);
         self.frames.frames.len() - 1
     }
@@ -91,7 +91,7 @@ impl Arena {
     /// ```text
     /// ω = B w,    ω̇ = B (ẇ + ω_B × w)        B: the axes, ω_B: their own spin, of which the cross product vanishes for w itself
     /// ```
-    pub fn add_spinning_frame(&mut self, columns: [Triple; 3], Spin { first, axes }: Spin, own: Vec<Leaf>) -> usize {
+    pub(crate) fn add_spinning_frame(&mut self, columns: [Triple; 3], Spin { first, axes }: Spin, own: Vec<Leaf>) -> usize {
         let none = [self.integer(0); 3];
         let frame = Frame {
             columns,
@@ -117,7 +117,7 @@ impl Arena {
     }
 
     /// Axes of ground or of a frame, by components in ground.
-    pub fn directions_of(&mut self, own: usize, axes: SpinAxes) -> [Triple; 3] {
+    pub(crate) fn directions_of(&mut self, own: usize, axes: SpinAxes) -> [Triple; 3] {
         let (zero, one) = (self.integer(0), self.integer(1));
         let unit = |axis: usize| [0, 1, 2].map(|k| if k == axis { one } else { zero });
         [0, 1, 2].map(|axis| match axes {
@@ -136,7 +136,7 @@ impl Arena {
     }
 
     /// The turns of a body about the axes of ground, each with its axis.
-    pub fn turns_about_ground(&mut self, body: usize) -> [(Leaf, Triple); 3] {
+    pub(crate) fn turns_about_ground(&mut self, body: usize) -> [(Leaf, Triple); 3] {
         let (zero, one) = (self.integer(0), self.integer(1));
         let leaves = Leaf::turns_of(body);
         [0, 1, 2].map(|axis| (leaves[axis], [0, 1, 2].map(|other| if other == axis { one } else { zero })))
@@ -150,7 +150,7 @@ impl Arena {
 
     /// The speeds of a frame that are components of ω, if it has such speeds.
     #[must_use]
-    pub fn spin(&self, frame: usize) -> Option<Spin> {
+    pub(crate) fn spin(&self, frame: usize) -> Option<Spin> {
         self.frames.spins.get(&frame).copied()
     }
 

@@ -14,7 +14,7 @@ use super::{Arena, Binary, Exact, Expr, Mark, Node, Triple, Unary};
 /// A term: a coefficient times an expression.
 type Term = (Exact, Expr);
 
-/// What terms have in common that become one.
+/// Terms of one kind become one term.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum TermKind {
     /// Components along one axis of vectors fixed in one frame.
@@ -61,7 +61,7 @@ impl Arena {
         known.get(&root).copied().unwrap_or(root)
     }
 
-    /// One sum with its terms gathered: others in the order in which they first appear, then vectors that have become one.
+    /// A sum with its terms gathered: first those that no other joins, in the order in which they appear, then the vectors that became one.
     fn gather(&mut self, sum: Expr) -> Expr {
         let terms = self.terms(sum);
         if terms.iter().filter(|(_, expr)| matches!(self.node(*expr), Node::Marked { mark: Mark::Turned { .. }, .. })).count() < 2 {

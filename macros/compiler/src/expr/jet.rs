@@ -37,13 +37,13 @@ impl Seed {
 
     /// The same seed with D(u̇) = ü, so that the second derivative of an expression can be differentiated once more.
     #[must_use]
-    pub fn with_jerks(self) -> Seed {
+    pub(crate) fn with_jerks(self) -> Seed {
         Seed { has_jerks: true, ..self }
     }
 
     /// At constant speeds: D(q) the speed of this number, D(u) = 0, D(t) = 1. The second derivative of Φ is −γ.
     #[must_use]
-    pub fn constant_speeds(coordinates: Vec<Option<u32>>) -> Seed {
+    pub(crate) fn constant_speeds(coordinates: Vec<Option<u32>>) -> Seed {
         Seed { speeds_change: false, ..Seed::motion(coordinates) }
     }
 
@@ -54,7 +54,7 @@ impl Seed {
 
     /// The same seed for coordinates that are numbered from `first` on.
     #[must_use]
-    pub fn numbered_from(self, first: u32) -> Seed {
+    pub(crate) fn numbered_from(self, first: u32) -> Seed {
         Seed { first, ..self }
     }
 

@@ -49,11 +49,11 @@ pub enum Leaf {
 
 impl Leaf {
     /// The derivatives of an input by time that are known are those up to this order.
-    pub const HIGHEST_RATE: u8 = 2;
+    pub(crate) const HIGHEST_RATE: u8 = 2;
 
     /// The derivative by time of an input or of one of its rates; `None` for other leaves, and beyond the acceleration.
     #[must_use]
-    pub const fn rate_of_input(self) -> Option<Leaf> {
+    pub(crate) const fn rate_of_input(self) -> Option<Leaf> {
         match self {
             Leaf::Input { number, order } if order < Leaf::HIGHEST_RATE => Some(Leaf::Input { number, order: order + 1 }),
             _ => None,
@@ -62,7 +62,7 @@ impl Leaf {
 
     /// The turns of a body about the axes of ground.
     #[must_use]
-    pub fn turns_of(body: usize) -> [Leaf; 3] {
+    pub(crate) fn turns_of(body: usize) -> [Leaf; 3] {
         [0, 1, 2].map(|axis| Leaf::Turn((AXES * body + axis) as u32))
     }
 
@@ -74,7 +74,7 @@ impl Leaf {
 
     /// True for the time and for inputs, which change with it.
     #[must_use]
-    pub const fn is_of_time(self) -> bool {
+    pub(crate) const fn is_of_time(self) -> bool {
         matches!(self, Leaf::Time | Leaf::Input { .. })
     }
 }
@@ -193,7 +193,7 @@ impl Node {
     }
 
     /// The operands, in writing order.
-    pub fn children(&self) -> Operands {
+    pub(crate) fn children(&self) -> Operands {
         match *self {
             Node::Constant(_) | Node::Leaf(_) => Operands { all: [Expr(0); 4], next: 4 },
             Node::Unary(_, a) | Node::Call { argument: a, .. } | Node::Marked { value: a, .. } => Operands { all: [a; 4], next: 3 },
@@ -205,7 +205,7 @@ impl Node {
 
 /// The operands of a node, the last of `all`.
 #[derive(Clone, Copy, Debug)]
-pub struct Operands {
+pub(crate) struct Operands {
     all: [Expr; 4],
     next: usize,
 }

@@ -9,7 +9,7 @@ mod turn;
 pub use components::Components;
 pub(crate) use turn::{Rotation, Turn, difference, natural, quaternion, rotated, turned_tensor};
 
-use crate::expr::{Arena, Binary, Expr, Leaf, Triple, cross, dot, unit};
+use crate::expr::{Arena, Binary, Expr, Triple, cross, dot, unit};
 
 /// Three perpendicular unit vectors fixed in a body or in ground: x, y, and the axis z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -45,6 +45,14 @@ impl Triad {
         let axes = natural(arena);
         let axes = rotated(arena, rest, axes);
         axes.iter().all(|axis| is_fixed(arena, *axis)).then_some(Triad { body, axes })
+    }
+
+    /// The axes in ground.
+    pub(crate) fn in_ground(self, arena: &mut Arena) -> [Triple; 3] {
+        match self.body {
+            Some(body) => self.axes.map(|axis| arena.turned(body, axis)),
+            None => self.axes,
+        }
     }
 
     /// The triad after half a turn about one of its axes: that axis stays, the other two are reversed.
@@ -153,7 +161,7 @@ pub(crate) fn longest(components: &[f64]) -> usize {
 
 /// True if a vector depends on parameters alone.
 fn is_fixed(arena: &Arena, vector: Triple) -> bool {
-    vector.iter().all(|part| arena.leaves(*part).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_))))
+    vector.iter().all(|part| arena.is_fixed(*part))
 }
 
 /// Columns of the rotation matrix of a quaternion of any norm n > 0, and h = 2/n².

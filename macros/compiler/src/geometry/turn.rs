@@ -54,8 +54,8 @@ pub(crate) fn rotated<const N: usize>(arena: &mut Arena, rotations: &[Rotation],
     })
 }
 
-/// 2 tan(δ/2) n of the rotation by δ about the unit vector n that leads from the second orientation to the first. Beside it the relation
-/// that holds where it vanishes, if both orientations are fixed in bodies or in ground.
+/// 2 tan(δ/2) n of the rotation by δ about the unit vector n that leads from the second orientation to the first; and the
+/// relation that holds where this vanishes, if both orientations are fixed in bodies or in ground.
 pub(crate) fn difference(arena: &mut Arena, one: &[Rotation], two: &[Rotation]) -> (Triple, Option<Relationship>) {
     let relation = match [one, two].map(|rotations| Triad::of(arena, rotations)) {
         [Some(one), Some(two)] => Some(Relationship::Equal(one, two)),

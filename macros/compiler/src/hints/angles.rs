@@ -1,7 +1,7 @@
 //! Warnings about angles without a unit, which count as radians.
 
 use crate::diag::{AngleOf, Doubt, Range, Warning};
-use crate::syntax::ast::{Expression, ExpressionKind, Item, JointBody, Mechanism, Operator, Statement};
+use crate::syntax::ast::{Expression, ExpressionKind, Item, JointBody, Mechanism, Operator, Statement, every_item};
 
 /// Drives that prescribe an angle.
 const DRIVES: [&str; 3] = ["drive_angle", "drive_relative_angle", "drive_rotation"];
@@ -9,34 +9,30 @@ const DRIVES: [&str; 3] = ["drive_angle", "drive_relative_angle", "drive_rotatio
 /// Warnings about starts of angles, constant laws of drives, and sines, cosines and tangents, of bare numbers that are probably degrees.
 pub(crate) fn bare_angles(tree: &Mechanism) -> Vec<Warning> {
     let mut found = Vec::new();
-    of_items(&tree.items, &mut found);
+    every_item(&tree.items).for_each(|item| of_item(item, &mut found));
     found
 }
 
-fn of_items(items: &[Item], found: &mut Vec<Warning>) {
-    for item in items {
-        match item {
-            Item::Parameter(parameter) | Item::Input(parameter) => of(&parameter.default, found),
-            Item::Let(binding) => of(&binding.value, found),
-            Item::Function(function) => of(&function.value, found),
-            Item::Joint(joint) | Item::Force(joint) => of_joint(&joint.body, found),
-            Item::Output(output) => of(&output.value, found),
-            Item::Start(start) => {
-                if names_angle(&start.quantity) {
-                    of_angle(AngleOf::Start, &start.value, found);
-                }
-                of(&start.value, found);
+fn of_item(item: &Item, found: &mut Vec<Warning>) {
+    match item {
+        Item::Parameter(parameter) | Item::Input(parameter) => of(&parameter.default, found),
+        Item::Let(binding) => of(&binding.value, found),
+        Item::Function(function) => of(&function.value, found),
+        Item::Joint(joint) | Item::Force(joint) => of_joint(&joint.body, found),
+        Item::Output(output) => of(&output.value, found),
+        Item::Start(start) => {
+            if names_angle(&start.quantity) {
+                of_angle(AngleOf::Start, &start.value, found);
             }
-            Item::Ground(frame) | Item::Body(frame) => {
-                frame.marks.single.iter().for_each(|mark| of(&mark.value, found));
-                frame.starts.iter().filter(|start| start.what == "angle").for_each(|start| of_angle(AngleOf::Start, &start.value, found));
-                frame.starts.iter().for_each(|start| of(&start.value, found));
-            }
-            Item::Part(part) => part.arguments.iter().for_each(|argument| of(&argument.value, found)),
-            Item::Component(component) => of_items(&component.items, found),
-            Item::For(repeated) => of_items(&repeated.items, found),
-            Item::Use(_) | Item::Gravity(_) | Item::Range(_) | Item::Refused(_) => {}
+            of(&start.value, found);
         }
+        Item::Ground(frame) | Item::Body(frame) => {
+            frame.marks.single.iter().for_each(|mark| of(&mark.value, found));
+            frame.starts.iter().filter(|start| start.what == "angle").for_each(|start| of_angle(AngleOf::Start, &start.value, found));
+            frame.starts.iter().for_each(|start| of(&start.value, found));
+        }
+        Item::Part(part) => part.arguments.iter().for_each(|argument| of(&argument.value, found)),
+        Item::Use(_) | Item::Gravity(_) | Item::Range(_) | Item::Refused(_) | Item::Component(_) | Item::For(_) => {}
     }
 }
 

@@ -1,7 +1,7 @@
 //! Names of generated functions and constants of a mechanism, which none of its outputs may have.
 
 use super::promised::{has_forces, has_inputs};
-use crate::syntax::ast::{Item, Mechanism, Task};
+use crate::syntax::ast::{Item, Mechanism, Task, every_item};
 use proc_macro2::Ident;
 
 /// Of every mechanism.
@@ -72,13 +72,11 @@ pub(crate) fn is_generated(name: &Ident, tree: &Mechanism) -> bool {
 
 /// True if the load of some item is computed alone and may be called `load`: by the names of its parts, its own, and indices.
 fn has_sliced_load(items: &[Item], load: &str) -> bool {
-    items.iter().any(|item| match item {
+    every_item(items).any(|item| match item {
         Item::Joint(joint) | Item::Force(joint) if joint.is_slice => {
             let own = joint.name.to_string().replace("r#", "");
             if joint.indices.is_empty() { load == own || load.ends_with(&format!("_{own}")) } else { load.contains(&format!("{own}_")) }
         }
-        Item::For(repeated) => has_sliced_load(&repeated.items, load),
-        Item::Component(component) => has_sliced_load(&component.items, load),
         _ => false,
     })
 }

@@ -4,24 +4,12 @@
 
 use super::is_zero;
 use crate::diag::{Doubt, Warning};
-use crate::syntax::ast::{Expression, ExpressionKind, Feature, FrameItem, Item, Mechanism};
+use crate::syntax::ast::{Expression, ExpressionKind, Feature, FrameItem, Item, Mechanism, every_item};
 
 /// Warnings about bodies with `inertia = rod(l)`, without `center`, and with a point at `(l, 0)`.
 pub(crate) fn centered_rods(tree: &Mechanism) -> Vec<Warning> {
-    let mut found = Vec::new();
-    of_items(&tree.items, &mut found);
-    found
-}
-
-fn of_items(items: &[Item], found: &mut Vec<Warning>) {
-    for item in items {
-        match item {
-            Item::Body(body) => found.extend(of_body(body)),
-            Item::Component(component) => of_items(&component.items, found),
-            Item::For(repeated) => of_items(&repeated.items, found),
-            _ => {}
-        }
-    }
+    let body = |item: &Item| if let Item::Body(body) = item { of_body(body) } else { None };
+    every_item(&tree.items).filter_map(body).collect()
 }
 
 fn of_body(body: &FrameItem) -> Option<Warning> {

@@ -1,15 +1,15 @@
 //! Names that nothing in the declaration uses.
 //!
-//! Parameters, inputs, `let`s and functions act through equations, points and outputs alone, so that one that is written nowhere else
-//! changes nothing. A point or an axis may be read from Rust and is drawn in pictures, so that nothing is said about those.
+//! Parameters, inputs, `let`s and functions act only through the expressions that name them: one that is named nowhere changes nothing. Points
+//! and axes are left out, since they may be read from Rust and are drawn in pictures.
 
 use crate::diag::{Doubt, Warning};
-use crate::syntax::ast::{Expression, ExpressionKind, Item, Mechanism};
+use crate::syntax::ast::{Expression, ExpressionKind, Item, Mechanism, every_item};
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use std::collections::BTreeMap;
 
 /// The names of parameters, inputs, `let`s and functions that are written once, where they are declared. `tokens`: given, all of the
-/// mechanism; `doubts`: given, what is doubtful about it.
+/// mechanism; `doubts`: given, the warnings about it.
 ///
 /// A word that is written again with another meaning counts as a use. Of a parameter whose default is doubtful one warning is enough.
 pub(crate) fn unused<'a>(tree: &'a Mechanism, tokens: TokenStream, doubts: &[Warning]) -> Vec<&'a Ident> {
@@ -21,15 +21,12 @@ pub(crate) fn unused<'a>(tree: &'a Mechanism, tokens: TokenStream, doubts: &[War
     let mut written = BTreeMap::new();
     count(tokens, &mut written);
     let mut names = Vec::new();
-    let mut pending: Vec<&Item> = tree.items.iter().rev().collect();
-    while let Some(item) = pending.pop() {
+    for item in every_item(&tree.items) {
         match item {
             Item::Parameter(parameter) if is_doubtful(&parameter.default) => {}
             Item::Parameter(parameter) | Item::Input(parameter) => names.push(&parameter.name),
             Item::Let(binding) => names.push(&binding.name),
             Item::Function(function) => names.push(&function.name),
-            Item::Component(component) => pending.extend(component.items.iter().rev()),
-            Item::For(repeated) => pending.extend(repeated.items.iter().rev()),
             _ => {}
         }
     }

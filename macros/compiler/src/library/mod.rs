@@ -206,12 +206,12 @@ pub fn functions<'a>() -> impl Iterator<Item = &'a str> {
 }
 
 /// Name and text of every page of constraints in space.
-pub fn spatial_pages() -> impl Iterator<Item = (&'static str, &'static str)> {
+pub(crate) fn spatial_pages() -> impl Iterator<Item = (&'static str, &'static str)> {
     SPATIAL.iter().copied()
 }
 
 /// Name and text of the pages of forces: planar and common ones, or those in space only.
-pub fn force_pages(ambient: Ambient) -> impl Iterator<Item = (&'static str, &'static str)> {
+pub(crate) fn force_pages(ambient: Ambient) -> impl Iterator<Item = (&'static str, &'static str)> {
     let pages = forces_of(ambient);
     pages.filter(move |(name, _)| ambient == Ambient::Plane || !FORCES.iter().any(|(both, _)| both == name))
 }

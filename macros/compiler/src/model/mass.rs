@@ -75,12 +75,12 @@ impl Mass {
         found
     }
 
-    /// True if it is certain that nothing is there.
+    /// True if mass and inertia are certainly zero.
     fn is_nothing(&self, arena: &Arena) -> bool {
         self.mass.iter().chain(self.inertia.iter().flatten()).all(|part| is_zero(arena, *part))
     }
 
-    /// Adds a mass to those of a body: to one with the same centre, or as one more.
+    /// Adds a mass to those of a body: to the mass with the same centre, if there is one.
     pub(crate) fn join(mut self, arena: &mut Arena, masses: &mut Vec<Mass>) {
         if self.is_nothing(arena) {
             return;

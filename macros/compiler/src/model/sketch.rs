@@ -7,7 +7,7 @@ use crate::expr::{Arena, Expr};
 use crate::quantity::Dim;
 
 /// Mechanisms with more bodies are not drawn: their parts could not be distinguished.
-pub const MOST_DRAWN: usize = 200;
+pub(crate) const MOST_DRAWN: usize = 200;
 
 /// Declared geometry of a mechanism.
 #[derive(Clone, Debug, Default)]

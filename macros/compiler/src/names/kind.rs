@@ -1,13 +1,16 @@
-//! Names of kinds that are not known, and what they were meant to be.
+//! Unknown kinds of joints, and the kinds that were probably meant.
 
 use crate::diag::{Fact, Known, NameFact, Typed, ValueFact, home, stem};
 use crate::library;
 use crate::quantity::Ambient;
 
-/// What is said of a kind of joint that is not known; `here` are those that are, and `nearest` finds the one that is most similar.
+/// The refusal of an unknown kind of joint.
+///
+/// * `here`: given, the known kinds.
+/// * `nearest`: given, finds the word most similar to another.
 pub(crate) fn unknown_kind(word: String, here: &[&str], ambient: Ambient, nearest: impl Fn(&str, &[&str]) -> Option<String>) -> Fact {
     let home = home(&word, ambient).or_else(|| home(&stem(&word), ambient));
-    // A word of the other ambient is meant only where this one has no equivalent of it and none that is as near.
+    // A kind of the other ambient is proposed only if this ambient has no equivalent and no kind that is as similar.
     let elsewhere = library::elsewhere(ambient).filter(|_| home.is_none());
     let known: Vec<&str> = here.iter().copied().chain(elsewhere).collect();
     let near = nearest_kind(&word, &known, nearest);
@@ -20,7 +23,7 @@ pub(crate) fn unknown_kind(word: String, here: &[&str], ambient: Ambient, neares
     NameFact::UnknownConstraint { name: word, near, is_force, home, known }.into()
 }
 
-/// Known kind nearest to a mistyped one, also where that has words of another program about it.
+/// Known kind nearest to a mistyped word, or to its stem without the affixes of other programs.
 pub(crate) fn nearest_kind(word: &str, known: &[&str], nearest: impl Fn(&str, &[&str]) -> Option<String>) -> Option<String> {
     nearest(word, known).or_else(|| nearest(&stem(word), known).filter(|_| stem(word) != word))
 }

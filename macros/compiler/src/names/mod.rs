@@ -5,8 +5,10 @@
 //! Names live in namespaces: that of the mechanism, one for each part, one for each body. A name with indices is an array, and each of
 //! its elements is a separate item.
 
+mod declare;
 mod key;
 mod kind;
+mod proposals;
 mod scope;
 mod signature;
 mod value;
@@ -20,7 +22,7 @@ pub(crate) use value::{Arguments, Fixed, FrameId, FunctionValue, Scalar, Value, 
 use crate::expr::Expr;
 use crate::model::Name;
 use crate::quantity::{Ambient, Role};
-use crate::syntax::ast::{self, Definition};
+use crate::syntax::ast::{self, Definition, ExpressionKind, FormalKind};
 use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
@@ -241,8 +243,9 @@ pub(crate) struct Names {
     pub(crate) definitions: BTreeMap<String, Rc<Definition>>,
     pub(crate) library: BTreeMap<String, Option<Rc<Definition>>>,
     pub(crate) components: BTreeMap<String, ast::Shared<ast::ComponentItem>>,
-    /// What imported components see, and the home of the item that is being resolved.
+    /// The definitions that imported components see.
     pub(crate) homes: Vec<ast::ComponentHome>,
+    /// Home of the item that is being resolved, if it belongs to an imported component.
     pub(crate) home: Option<usize>,
     /// Names with a predefined meaning that were declared as something else: their uses are ambiguous.
     pub(crate) misused: BTreeSet<String>,
@@ -313,9 +316,26 @@ impl Names {
 
     /// True for the name of a joint of the mechanism.
     pub(crate) fn is_joint(&self, written: &ast::Expression) -> bool {
-        let ast::ExpressionKind::Path(path) = &written.kind else { return false };
+        let ExpressionKind::Path(path) = &written.kind else { return false };
         let group = path.name.as_ref().and_then(|name| self.visible(SpaceId::MECHANISM, &name.to_string()));
         group.is_some_and(|group| self.group(group).sort == Sort::Joint)
+    }
+
+    /// True for the path of an axis, `body.axis`, and for a direction that is written out.
+    pub(crate) fn is_axis(&self, value: &ast::Expression, scope: &Scope) -> bool {
+        if let ExpressionKind::Tuple(items) = &value.kind {
+            return items.iter().all(|item| matches!(item.kind, ExpressionKind::Number { .. }));
+        }
+        let ExpressionKind::Field(owner, name) = &value.kind else { return false };
+        let ExpressionKind::Path(path) = &owner.kind else { return false };
+        let frame = match &path.name {
+            Some(name) if name == "ground" => Some(FrameId::GROUND),
+            Some(name) => (0..self.frames.len()).map(FrameId).find(|frame| name == &self.frames[frame.0].name),
+            None => None,
+        };
+        let is_bound = path.name.as_ref().is_some_and(|name| scope.value_of(name).is_some());
+        let group = frame.filter(|_| !is_bound).and_then(|frame| self.find(self.frames[frame.0].space, &name.to_string()));
+        group.is_some_and(|group| self.group(group).sort == Sort::Axis)
     }
 
     /// Constraint or force that the item being resolved calls by this name, if it is none of the library.
@@ -375,9 +395,20 @@ impl Names {
         space.order.iter().map(|group| &self.groups[group.0]).find(is_axis).map(|group| group.word.as_str())
     }
 
-    /// The names of declared functions, in order.
-    pub(crate) fn functions(&self) -> impl Iterator<Item = &str> {
-        let groups = self.spaces[SpaceId::MECHANISM.0].order.iter().map(|group| &self.groups[group.0]);
-        groups.filter(|group| group.sort == Sort::Function).map(|group| group.word.as_str())
+    /// The functions that an item of a namespace can call, in the order declared: `function`s, and arguments that are functions.
+    pub(crate) fn functions(&self, space: SpaceId) -> impl Iterator<Item = &str> {
+        self.all(space).filter(move |word| self.visible(space, word).is_some_and(|group| self.is_function(self.group(group))))
+    }
+
+    /// True for a `function`, and for an argument or a `let` that is one.
+    fn is_function(&self, named: &NamedItems) -> bool {
+        let of_item = |id: &EntityId| match &self.declared[id.0] {
+            Declared { progress: Progress::Done(value), .. } => matches!(value, Value::Function(_)),
+            Declared { entity: Entity::Argument(made, number), .. } => {
+                matches!(made.component.head.parameters[*number].kind, FormalKind::Function(..))
+            }
+            _ => false,
+        };
+        named.sort == Sort::Function || named.members.values().any(of_item)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::value::Value;
 use crate::diag::{ArityFact, Range, Wanted, nearest};
-use crate::expr::{Arena, Expr, Leaf};
+use crate::expr::{Arena, Expr};
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{Argument, Definition, Dimension, Formal, FormalKind};
 use proc_macro2::Ident;
@@ -100,7 +100,7 @@ pub(crate) fn is_between(definition: &Definition) -> bool {
 /// True if a value can be an argument for a parameter of this kind.
 pub(crate) fn fits(arena: &Arena, kind: &FormalKind, value: &Value) -> bool {
     let is_of = |measure: InferredDim, is_length: bool| measure == InferredDim::Any || measure.fits(Dim::LENGTH) == is_length;
-    let is_fixed = |part: &Expr| arena.leaves(*part).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_)));
+    let is_fixed = |part: &Expr| arena.is_fixed(*part);
     match (kind, value) {
         (FormalKind::Point, Value::Point(_)) | (FormalKind::Axis, Value::Axis(_)) | (FormalKind::Body, Value::Body(_)) => true,
         (FormalKind::Point | FormalKind::Axis, Value::Vector(vector)) => {

@@ -5,16 +5,16 @@ use super::search::Distance;
 use crate::expr::{Expr, Values, evaluate};
 use crate::quantity::Role;
 
-/// Two orientations are alike if no more than this angle is between them, in rad.
+/// Largest angle between two orientations that count as equal, in rad.
 const ALIKE: f64 = 1e-4;
 
 /// A unit quaternion, the real part first.
 pub(crate) type Quaternion = [f64; 4];
 
 impl Numeric<'_> {
-    /// Adds the squared angle between the orientation and the declared one of each body of which no start of an angle expresses it.
+    /// For each body whose declared orientation no start of an angle expresses, adds the squared angle between its orientation and the declared one.
     ///
-    /// * `other`: given, another configuration: bodies that are turned alike in both do not count.
+    /// * `other`: given, another configuration; bodies with equal orientations in both are left out.
     pub(crate) fn add_orientations(&self, distance: &mut Distance, q: &[f64], other: Option<&[f64]>) {
         let differs = |body: &&usize| {
             let [one, other] = [Some(q), other].map(|q| q.and_then(|q| self.orientation(q, **body)));

@@ -93,7 +93,8 @@ impl Numeric<'_> {
         compare(&declared(one, other), &declared(other, one)) == Ordering::Equal
     }
 
-    /// True if two assemblies, given as values of all unknowns, are equally near to the start, counting only unknowns and orientations in which they differ.
+    /// True if two assemblies, given as values of all unknowns, are equally near to the start by the unknowns and orientations in which they
+    /// differ.
     pub(crate) fn are_equally_near(&self, one: &[f64], other: &[f64]) -> bool {
         let differing = self.differing(one, other);
         let part = |q: &[f64], other: &[f64]| -> Distance {

@@ -1,6 +1,6 @@
 //! Choice of the configuration that is drawn: the start, or a pose near it if links of a planar mechanism overlap at the start.
 
-use super::scene::scene;
+use super::scene::{Instant, scene};
 use crate::assembly::{Assembly, Poses};
 use crate::model::Model;
 use crate::quantity::Ambient;
@@ -12,15 +12,6 @@ const CLEAR: f64 = 0.035;
 
 /// Mechanisms with more bodies are drawn at their start.
 const LARGEST: usize = 12;
-
-/// A time and a configuration.
-#[derive(Clone, Debug)]
-pub(super) struct Instant {
-    /// Time, in s.
-    pub(super) time: f64,
-    /// Values of all unknowns, in SI units.
-    pub(super) q: Vec<f64>,
-}
 
 /// The configuration that is drawn, with its time.
 pub(super) fn pose(model: &Model, system: &System, assembly: &Assembly) -> Result<(f64, Scene), Undrawable> {

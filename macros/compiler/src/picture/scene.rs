@@ -1,12 +1,20 @@
 //! From a model and a configuration to a [`Scene`]; the interpreter evaluates its numbers.
 
-use super::pose::Instant;
 use crate::expr::{Evaluator, Expr, Values, evaluate};
 use crate::model::sketch::{Instantiation, JointArgument, LocalVector};
 use crate::model::{Model, tabulated};
 use crate::quantity::{Axis, Dim, Role};
 use crate::system::{COSINES, System, cosine};
 use reuleaux_picture::{Joint, Pose, Scene, Vector};
+
+/// A time and a configuration.
+#[derive(Clone, Debug)]
+pub(super) struct Instant {
+    /// Time, in s.
+    pub(super) time: f64,
+    /// Values of all unknowns, in SI units.
+    pub(super) q: Vec<f64>,
+}
 
 /// The mechanism at one instant.
 pub(super) fn scene(model: &Model, system: &System, instant: &Instant) -> Scene {

@@ -30,7 +30,7 @@ const SUM: f64 = 1e-9;
 /// Relative tolerance of velocities, and of the values of a law at its ends.
 const SLOPE: f64 = 1e-6;
 
-/// Distance from the ends of a law at which its derivative is taken, since at the ends themselves it may be that of the rest.
+/// The derivatives of a law at its ends are taken at 1/this inside: exactly at an end a law may have the zero derivative of the rest beside it.
 const INSIDE: i128 = 1 << 30;
 
 /// Velocities, by x, with which a segment begins and ends; NaN if the compiler cannot run its law.
@@ -299,7 +299,7 @@ fn require(work: &mut impl Valuer, program: &Program) {
     }
 }
 
-/// |off| ≤ 10⁻⁶ size, which is more than single precision rounds.
+/// Requires |off| ≤ 10⁻⁶ size, more than the rounding errors of single precision.
 fn near_zero(work: &mut impl Valuer, range: Range, off: Expr, size: Expr, dim: Dim, why: &str) {
     let arena = work.arena();
     let (off, share) = (arena.unary(Unary::Abs, off), arena.constant(Exact::ratio(1, 1_000_000).unwrap_or(Exact::ONE)));

@@ -18,7 +18,7 @@ use proc_macro2::Ident;
 /// The most points. Each interval is written out.
 const MOST: usize = 64;
 
-/// A spline that misses its points by more than this part of its size is refused.
+/// A spline that misses its points by more than this fraction of its size is refused.
 const MISSES: f64 = 1e-9;
 
 /// What is known at the ends.
@@ -144,7 +144,7 @@ fn tangent(work: &mut impl Valuer, since: Expr, value: Exact, velocity: Exact) -
 ///     6 Δ −  3 h v₀ − 3 h v₁ − 1/2 h² a₀ + 1/2 h² a₁
 /// ```
 ///
-/// They are refused if they are so large that their sum misses the end, or if they cannot be kept.
+/// They are refused if rounding makes their sum miss the end, or if they are too large for exact numbers.
 fn coefficients(
     work: &mut impl Valuer,
     range: Range,

@@ -74,7 +74,7 @@ impl Ambient {
 
     /// The solved coordinate with which a body begins. In space all positions come first.
     #[must_use]
-    pub fn first_coordinate(self, body: usize) -> usize {
+    pub(crate) fn first_coordinate(self, body: usize) -> usize {
         match self {
             Ambient::Plane => Role::PLANE.len() * body,
             Ambient::Space => self.components() * body,
@@ -83,13 +83,13 @@ impl Ambient {
 
     /// The speed with which a body begins.
     #[must_use]
-    pub fn first_speed(self, body: usize) -> usize {
+    pub(crate) fn first_speed(self, body: usize) -> usize {
         self.speeds().len() * body
     }
 
     /// The body that has a speed.
     #[must_use]
-    pub fn body_of(self, speed: usize) -> usize {
+    pub(crate) fn body_of(self, speed: usize) -> usize {
         speed / self.speeds().len()
     }
 

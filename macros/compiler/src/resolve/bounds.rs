@@ -4,7 +4,7 @@ use super::elaborate::Elaborator;
 use super::register::Register;
 use super::{Bounds, Parameter, Times};
 use crate::diag::ValueFact;
-use crate::expr::{Expr, Leaf};
+use crate::expr::Expr;
 use crate::hints::in_words;
 use crate::names::Scope;
 use crate::quantity::Dim;
@@ -39,7 +39,7 @@ impl Elaborator<'_> {
         let defaults = self.numbers(&[], &defaults);
         let mut end = |written: &ast::Expression| {
             let expr = self.scalar_of(written, Dim::TIME, &scope)?.expr;
-            if self.arena.leaves(expr).iter().any(|leaf| !matches!(leaf, Leaf::Parameter(_))) {
+            if !self.arena.is_fixed(expr) {
                 return self.refuse(written.range, ValueFact::NotFixed { place });
             }
             let value = self.numbers(&defaults, &[expr])[0];

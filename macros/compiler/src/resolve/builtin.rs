@@ -38,9 +38,8 @@ impl Elaborator<'_> {
         }
         if !is_bound && !self.is_library_function(name) {
             let near = self.similar_function(name, scope);
-            if let Some(meant) =
-                near.as_ref().filter(|near| is_elsewhere(near, self.names.ambient) && !self.names.functions().any(|known| known == *near))
-            {
+            let is_declared = |word: &str| scope.space.is_some_and(|space| self.names.functions(space).any(|known| known == word));
+            if let Some(meant) = near.as_ref().filter(|near| is_elsewhere(near, self.names.ambient) && !is_declared(near)) {
                 let typed = Typed { sort: "function", name: name.to_string() };
                 return self.refuse(name, ValueFact::only_elsewhere(meant.clone(), Some(typed), self.names.ambient));
             }
@@ -70,14 +69,14 @@ impl Elaborator<'_> {
 
     fn similar_function(&self, name: &Ident, scope: &Scope) -> Option<String> {
         let bound = scope.bound.iter().filter(|(_, value)| matches!(value, Value::Function(_))).map(|(known, _)| known.as_str());
-        let declared = scope.space.is_some().then(|| self.names.functions());
+        let declared = scope.space.into_iter().flat_map(|space| self.names.functions(space));
         let known = bound
             .chain(BUILTINS.iter().copied())
             .chain(SPATIAL_BUILTINS.iter().copied())
             .chain(profile::WORDS.iter().copied())
             .chain([super::speeds::RATE])
             .chain(library::functions())
-            .chain(declared.into_iter().flatten());
+            .chain(declared);
         self.nearest(&name.to_string(), known)
     }
 
@@ -290,7 +289,7 @@ impl Elaborator<'_> {
         }
         self.names.open_functions.push(name);
         // An error in a function is reported once, not again for each call or for each function that calls it.
-        let value = self.once(function, |this| this.scalar_of(&function.value, to, &inner));
+        let value = self.unless_refused(function, |this| this.scalar_of(&function.value, to, &inner));
         if value.is_none() {
             self.refused.insert(Key::from(function));
         }
@@ -322,7 +321,7 @@ impl Valuer for Elaborator<'_> {
     }
 
     fn may_be_fixed(&self, expr: Expr) -> bool {
-        self.names.is_abstract() || self.is_fixed(expr)
+        self.names.is_abstract() || self.arena.is_fixed(expr)
     }
 
     fn at_defaults(&self, roots: &[Expr]) -> Vec<f64> {

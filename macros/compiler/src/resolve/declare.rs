@@ -1,12 +1,13 @@
 //! Declares the names of items: namespaces, indices, and conflicts between names.
 
-use super::Name;
 use super::elaborate::Elaborator;
-use super::register::MOST;
 use crate::diag::{ArrayFact, Fact, NameFact, Range};
-use crate::names::{Context, Declared, Entity, EntityId, GroupId, Key, NamedItems, Progress, Scope, Sort, SpaceId, Value, is_reserved};
+use crate::names::{Context, Declared, Entity, EntityId, Key, Progress, Scope, Sort, Value, is_reserved};
 use crate::syntax::ast;
 use proc_macro2::Ident;
+
+/// Largest number of items, with loops unrolled and parts expanded, plus the number of loop iterations.
+const MOST: usize = 100_000;
 
 /// A declared name, as written.
 #[derive(Clone, Copy)]
@@ -32,16 +33,16 @@ impl Elaborator<'_> {
         if is_reserved(&word) {
             // The item is declared all the same, so that its uses are not reported as well.
             self.names.misused.insert(word.clone());
-            self.once(key, |this| this.refuse::<()>(name, NameFact::Reserved { name: word.clone() }));
+            self.unless_refused(key, |this| this.refuse::<()>(name, NameFact::Reserved { name: word.clone() }));
         }
-        let full = self.full_name(context.space, key, name, &indices);
+        let full = self.names.full_name(context.space, key, name, &indices);
         let shown = if indices.is_empty() { word.clone() } else { full.path.clone() };
         let id = self.insert(Declared { entity, progress, name: full, context: context.clone() });
-        match self.join(context.space, &word, sort, indices, id) {
+        match self.names.join(context.space, &word, sort, indices, id) {
             Ok(()) => Some(id),
             Err(first) => {
                 let fact = duplicate(shown, first.noun(), context.bound.last().filter(|_| first == sort));
-                self.once(key, |this| this.refuse(name, fact))
+                self.unless_refused(key, |this| this.refuse(name, fact))
             }
         }
     }
@@ -58,41 +59,12 @@ impl Elaborator<'_> {
         if self.count > MOST { self.give_up(range, ArrayFact::TooManyItems { limit: MOST }) } else { Some(()) }
     }
 
-    /// Adds an item under its name. If the name is taken, returns the sort of item that has it.
-    pub(super) fn join(&mut self, space: SpaceId, word: &str, sort: Sort, indices: Vec<usize>, id: EntityId) -> Result<(), Sort> {
-        let Some(group) = self.names.find(space, word) else {
-            let path = format!("{}{word}", self.names.spaces[space.0].prefix);
-            let (ranks, number) = (indices.len(), GroupId(self.names.groups.len()));
-            self.names.groups.push(NamedItems { word: word.to_owned(), path, sort, ranks, members: [(indices, id)].into() });
-            self.names.spaces[space.0].groups.insert(word.to_owned(), number);
-            self.names.spaces[space.0].order.push(number);
-            return Ok(());
-        };
-        let group = &mut self.names.groups[group.0];
-        if group.sort != sort || group.ranks != indices.len() || group.members.contains_key(&indices) {
-            // A use of the name is ambiguous; it is not to be reported as a second error.
-            for member in group.members.values() {
-                self.names.declared[member.0].progress = Progress::Failed;
-            }
-            return Err(group.sort);
-        }
-        group.members.insert(indices, id);
-        Ok(())
-    }
-
     pub(super) fn written_indices(&mut self, indices: &[ast::Expression], key: impl Into<Key>, context: &Context) -> Option<Vec<usize>> {
         if indices.is_empty() {
             return Some(Vec::new());
         }
         let scope = Scope::of(context).timeless("an index");
-        self.at(self.situation(context), |this| this.once(key, |this| this.indices(indices, &scope)))
-    }
-
-    /// The name with its full path; items with the same `key` have one declaration.
-    pub(super) fn full_name(&mut self, space: SpaceId, key: Key, word: &Ident, indices: &[usize]) -> Name {
-        let next = self.names.declarations.len();
-        let declaration = *self.names.declarations.entry(key).or_insert(next);
-        Name::within(&self.names.spaces[space.0].prefix, word, declaration, indices)
+        self.with_place(self.situation(context), |this| this.unless_refused(key, |this| this.indices(indices, &scope)))
     }
 
     /// Describes the enclosing part and loop variables, for messages; `None` outside of both.

@@ -11,8 +11,7 @@ use crate::expr::{Expr, Leaf};
 use crate::library;
 use crate::names::{Fixed, FunctionValue, Names, RESERVED, Scalar, Scope, UNKNOWN_BODY, Value, wanted};
 use crate::quantity::{Dim, InferredDim};
-use crate::syntax::ast::{Definition, Definitions, Dimension, FormalKind};
-use proc_macro2::Ident;
+use crate::syntax::ast::{Definition, Dimension, FormalKind};
 use std::rc::Rc;
 
 /// Kinds of parameters other than dimensions.
@@ -22,24 +21,6 @@ const KINDS: &[&str] = &["Point", "Axis", "Body", "Quantity", "Function", "Joint
 pub(crate) fn check(definition: &Definition, others: &[Definition], diag: &mut Diag) {
     let mut work = Elaborator::new(diag, Names::abstract_(definition.ambient.unwrap_or_default()));
     work.check(definition, others);
-}
-
-/// Reports duplicate names among the exports, and empty bundles.
-pub(crate) fn check_names(definitions: &Definitions, diag: &mut Diag) {
-    let unique = |names: Vec<&Ident>, diag: &mut Diag| {
-        for (position, name) in names.iter().enumerate() {
-            if names[..position].contains(name) {
-                diag.refuse::<()>(*name, NameFact::Duplicate { name: name.to_string(), first: "another definition" });
-            }
-        }
-    };
-    unique(definitions.exports.iter().map(|export| &export.name).collect(), diag);
-    for bundle in definitions.exports.iter().filter(|export| export.is_bundle) {
-        if bundle.definitions.is_empty() {
-            diag.refuse::<()>(&bundle.name, EquationFact::EmptyBundle { name: bundle.name.to_string() });
-        }
-        unique(bundle.own_names(), diag);
-    }
 }
 
 impl Elaborator<'_> {

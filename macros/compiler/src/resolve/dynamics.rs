@@ -34,7 +34,7 @@ impl Elaborator<'_> {
     pub(super) fn forces(&mut self, register: &Register) -> (Vec<DeclaredForce>, Vec<Force>) {
         let (mut declared, mut forces) = (Vec::new(), Vec::new());
         for (id, force) in &register.forces {
-            let found = self.of(*id, force, |this, name, context| {
+            let found = self.resolved(*id, force, |this, name, context| {
                 this.applied = Some(Vec::new());
                 let rows = this.joint_rows(*id, force, name, context);
                 let applied = this.applied.take();

@@ -99,15 +99,15 @@ impl Elaborator<'_> {
     pub(super) fn refuse<T>(&mut self, range: impl Into<Range>, fact: impl Into<Fact>) -> Option<T> {
         let fact = fact.into();
         match self.blame.clone() {
-            None => self.say(range, fact),
+            None => self.refuse_here(range, fact),
             Some(Instance { place, definition, quantities }) => {
-                self.say(place, Fact::InDefinition { definition, quantities, fact: Box::new(fact) })
+                self.refuse_here(place, Fact::InDefinition { definition, quantities, fact: Box::new(fact) })
             }
         }
     }
 
     /// Reports an error at this very range, and names the current item if its declaration is expanded several times.
-    pub(super) fn say<T>(&mut self, range: impl Into<Range>, fact: impl Into<Fact>) -> Option<T> {
+    pub(super) fn refuse_here<T>(&mut self, range: impl Into<Range>, fact: impl Into<Fact>) -> Option<T> {
         let fact = match &self.place {
             Some(place) => Fact::InInstance { place: place.clone(), fact: Box::new(fact.into()) },
             None => fact.into(),
@@ -119,7 +119,7 @@ impl Elaborator<'_> {
     pub(super) fn value(&mut self, expr: &ast::Expression, scope: &Scope) -> Option<Value> {
         match self.value_or_array(expr, scope)? {
             Value::Array { group, at } => {
-                let name = self.member_name(group, &at);
+                let name = self.names.member_name(group, &at);
                 self.refuse(expr.range, ArrayFact::ArrayWithoutIndex { name })
             }
             value => Some(value),
@@ -436,11 +436,6 @@ impl Elaborator<'_> {
     /// True if the expression contains no coordinate.
     pub(super) fn is_still(&self, expr: Expr) -> bool {
         !self.arena.leaves(expr).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(_)))
-    }
-
-    /// True if the expression contains parameters only.
-    pub(super) fn is_fixed(&self, expr: Expr) -> bool {
-        self.arena.leaves(expr).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_)))
     }
 }
 

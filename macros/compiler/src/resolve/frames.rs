@@ -36,7 +36,7 @@ impl Elaborator<'_> {
         let scope = Scope::of(context).timeless("a point or an axis");
         let vector = if mark.is_axis { self.vector(&mark.value, &scope)? } else { self.location(&mark.value, &scope)? };
         let local = vector.parts;
-        if !local.iter().all(|part| self.is_fixed(*part)) {
+        if !local.iter().all(|part| self.arena.is_fixed(*part)) {
             return self.refuse(mark.value.range, ValueFact::NotFixed { place: "a point or an axis" });
         }
         let noun = if mark.is_axis { "a component of the axis" } else { "a coordinate of the point" };
@@ -101,7 +101,7 @@ impl Elaborator<'_> {
     /// Resolves all bodies with their coordinates and start values.
     pub(super) fn bodies(&mut self, register: &Register) -> Vec<Body> {
         let body = |(id, frame): &(EntityId, ast::Shared<ast::FrameItem>)| {
-            self.of(*id, frame, |this, name, context| Some(this.body(frame, name, context)))
+            self.resolved(*id, frame, |this, name, context| Some(this.body(frame, name, context)))
         };
         let mut bodies: Vec<Body> = register.bodies.iter().filter_map(body).collect();
         let mut next = 0;
@@ -141,7 +141,7 @@ impl Elaborator<'_> {
                 }
             };
             for (which, expr) in found.unwrap_or_default() {
-                if !self.is_fixed(expr) {
+                if !self.arena.is_fixed(expr) {
                     self.refuse::<()>(start.value.range, ValueFact::NotFixed { place: "a start value" });
                     continue;
                 }
@@ -160,7 +160,7 @@ impl Elaborator<'_> {
     /// Declared starts of angles and displacements of joints.
     pub(super) fn joint_starts(&mut self, register: &Register) {
         for (start, context) in &register.starts {
-            self.once(start, |this| this.joint_start(start, &Scope::of(context).timeless("a start value")));
+            self.unless_refused(start, |this| this.joint_start(start, &Scope::of(context).timeless("a start value")));
         }
     }
 
@@ -177,7 +177,7 @@ impl Elaborator<'_> {
         };
         let dim = if matches!(found, JointQuantity::Angle(..)) { Dim::ANGLE } else { Dim::LENGTH };
         let value = self.scalar_of(&start.value, dim, scope)?.expr;
-        if !self.is_fixed(value) {
+        if !self.arena.is_fixed(value) {
             return self.refuse(start.value.range, ValueFact::NotFixed { place: "a start value" });
         }
         self.has_to_be_finite(value, Key::Value(start.id(), 0), start.value.range, "the start value");

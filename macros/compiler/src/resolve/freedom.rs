@@ -25,7 +25,7 @@ impl Elaborator<'_> {
         }
         let parts = self.quantities(&freedom.value, scope)?;
         let measure = parts.first()?.measure;
-        if parts.iter().all(|part| self.is_fixed(part.expr)) {
+        if parts.iter().all(|part| self.arena.is_fixed(part.expr)) {
             return self.refuse(range, MotionFact::FreedomOfNothing { name: name.to_string(), value: freedom.value.to_string() });
         }
         let timeless = scope.clone().timeless("the initial value of a freedom");
@@ -88,7 +88,7 @@ impl Elaborator<'_> {
                 let (wanted, found) = (measure.settled(), value.measure.settled());
                 return self.refuse(written.range, ValueFact::WrongDimension { wanted, found });
             }
-            if !self.is_fixed(value.expr) {
+            if !self.arena.is_fixed(value.expr) {
                 return self.refuse(written.range, ValueFact::NotFixed { place: "the initial value of a freedom" });
             }
             Some(value.expr)

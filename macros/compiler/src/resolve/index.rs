@@ -32,7 +32,7 @@ impl Elaborator<'_> {
         let Some(number) = usize::try_from(number).ok().filter(|number| is_there(*number)) else {
             let known = found.keys().filter(|indices| indices.starts_with(&at)).filter_map(|indices| indices.get(rank));
             let known: BTreeSet<usize> = known.copied().collect();
-            let name = self.member_name(group, &at);
+            let name = self.names.member_name(group, &at);
             let (first, last) = (known.first().copied(), known.last().copied());
             let known = Known::of(known.iter().map(|index| format!("{name}[{index}]")));
             return self.refuse(index.range, ArrayFact::IndexOutOfRange { name, index: number, ends: first.zip(last), known });
@@ -52,12 +52,6 @@ impl Elaborator<'_> {
         }
         let entity = *self.names.group(group).members.get(&at)?;
         self.entity(entity, range)
-    }
-
-    /// Name of an array element, or of an array with some of its indices: `leg[3]`.
-    pub(super) fn member_name(&self, group: GroupId, at: &[usize]) -> String {
-        let indices: String = at.iter().map(|index| format!("[{index}]")).collect();
-        format!("{}{indices}", self.names.group(group).path)
     }
 
     /// Value of a name used by an item of `space`. A component sees only parameters, `let`s and functions of the mechanism.

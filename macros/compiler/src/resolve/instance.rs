@@ -37,7 +37,7 @@ impl Elaborator<'_> {
                 let Value::Joint { arguments, .. } = self.entity(id, (&joint.name).into())? else { return None };
                 let definition = self.definition(kind)?;
                 if self.is_on_ground(&arguments) {
-                    return self.say(kind, EquationFact::OnGround { joint: name.to_string(), kind: kind.to_string() });
+                    return self.refuse_here(kind, EquationFact::OnGround { joint: name.to_string(), kind: kind.to_string() });
                 }
                 let scope = Scope { bound: arguments.to_vec(), ..Scope::default() };
                 let outer = self.blame.replace(self.blame_for(&definition, kind, &arguments));
@@ -228,14 +228,14 @@ impl Elaborator<'_> {
             | (FormalKind::Axis, value @ Value::Axis(_))
             | (FormalKind::Body, value @ Value::Body(_)) => Some(value),
             // A constant vector stands for a point or a direction in ground.
-            (FormalKind::Point, Value::Vector(vector)) if vector.parts.iter().all(|part| self.is_fixed(*part)) => {
+            (FormalKind::Point, Value::Vector(vector)) if vector.parts.iter().all(|part| self.arena.is_fixed(*part)) => {
                 if !vector.measure.fits(Dim::LENGTH) {
                     return self.refuse(argument.range, ValueFact::WrongDimension { wanted: Dim::LENGTH, found: vector.measure.settled() });
                 }
                 let measure = InferredDim::Known(Dim::LENGTH);
                 Some(Value::Point(Fixed { frame: FrameId::GROUND, local: vector.parts, measure, zero: None }))
             }
-            (FormalKind::Axis, Value::Vector(vector)) if vector.parts.iter().all(|part| self.is_fixed(*part)) => {
+            (FormalKind::Axis, Value::Vector(vector)) if vector.parts.iter().all(|part| self.arena.is_fixed(*part)) => {
                 self.is_not_zero(argument.range, argument, vector.parts)?;
                 let measure = InferredDim::Known(vector.measure.settled());
                 Some(Value::Axis(Fixed { frame: FrameId::GROUND, local: vector.parts, measure, zero: None }))

@@ -39,13 +39,13 @@ impl Elaborator<'_> {
         let mut scope = Scope::mechanism().timeless("a function of one variable");
         scope.bound.push((argument.to_string(), Value::Scalar(Scalar { expr: leaf, measure: InferredDim::Known(from) })));
         self.names.open_functions.push(function.name.to_string());
-        self.once(function, |this| this.scalar_of(&function.value, to, &scope));
+        self.unless_refused(function, |this| this.scalar_of(&function.value, to, &scope));
         self.names.open_functions.pop();
     }
 
     pub(super) fn joints(&mut self, register: &Register) -> Vec<Joint> {
         let joint = |this: &mut Self, (id, joint): &(EntityId, ast::Shared<ast::JointItem>)| {
-            this.of(*id, joint, |this, name, context| this.joint(*id, joint, name, context))
+            this.resolved(*id, joint, |this, name, context| this.joint(*id, joint, name, context))
         };
         let mut joints = Vec::new();
         for declared in &register.joints {
@@ -110,11 +110,11 @@ impl Elaborator<'_> {
         let may_move = |leaf: &Leaf| leaf.moves() || self.is_unused && matches!(leaf, Leaf::Parameter(_));
         let is_of_nothing = |row: &ScalarEquation| !leaves(row).iter().any(may_move);
         if let Some(row) = rows.iter().position(is_of_nothing) {
-            self.say::<()>(rows[row].range, EquationFact::RowOfNothing { joint: name, row: row + 1, of, at_defaults: false });
+            self.refuse_here::<()>(rows[row].range, EquationFact::RowOfNothing { joint: name, row: row + 1, of, at_defaults: false });
         } else if let Some(row) = rows.iter().find(|row| !joint.is_drive && leaves(row).into_iter().any(Leaf::is_of_time)) {
             let input = self.input_in(row.residual.expr);
             let range = self.time_dependent_argument(id, joint).unwrap_or(row.range);
-            self.say::<()>(
+            self.refuse_here::<()>(
                 range,
                 match input {
                     Some(input) => EquationFact::InputInJoint { joint: name, input },
@@ -127,7 +127,7 @@ impl Elaborator<'_> {
     /// Resolves all outputs; `None` for each rejected one.
     pub(super) fn outputs(&mut self, register: &Register) -> Vec<Option<Output>> {
         let output = |(id, output): &(EntityId, ast::Shared<ast::OutputItem>)| {
-            self.of(*id, output, |this, name, context| this.output(output, name, context))
+            self.resolved(*id, output, |this, name, context| this.output(output, name, context))
         };
         register.outputs.iter().map(output).collect()
     }

@@ -1,25 +1,13 @@
 //! Gathers the composition of the mechanism and its components.
 
 use super::elaborate::Elaborator;
-use super::register::Register;
+use super::register::{OpenPart, Register};
 use super::{Component, Field, Layout, Name, Of, Part};
 use crate::diag::ArrayFact;
 use crate::names::{EntityId, Key, Sort};
 use crate::syntax::ast::{self, Docs};
 use proc_macro2::Ident;
 use std::collections::BTreeMap;
-
-/// The mechanism or a part while its items are registered.
-#[derive(Default)]
-pub(super) struct OpenPart {
-    pub(super) component: Option<ast::Shared<ast::ComponentItem>>,
-    /// Number of its first body.
-    pub(super) first: usize,
-    /// Items that appear in the generated types, each with its number among items of its kind.
-    pub(super) items: Vec<(Of, EntityId, usize)>,
-    /// Declaration of the part.
-    pub(super) id: Option<EntityId>,
-}
 
 /// Elements of one name while they are gathered.
 struct Gathered {
@@ -127,7 +115,7 @@ impl Elaborator<'_> {
                     Of::Output => Sort::Output,
                 };
                 let range = declared.word.clone();
-                self.once(Key::Array(first.0), |this| {
+                self.unless_refused(Key::Array(first.0), |this| {
                     this.refuse::<()>(&range, ArrayFact::MissingIndex { what: sort.noun(), missing, known })
                 });
                 break;
@@ -170,7 +158,7 @@ impl Elaborator<'_> {
         if !is_alike {
             let name = self.names.declared[id.0].name.clone();
             let fact = ArrayFact::UnlikeParts { name: name.path.clone(), component: component.head.name.to_string() };
-            self.once(component, |this| this.refuse::<()>(&name, fact));
+            self.unless_refused(component, |this| this.refuse::<()>(&name, fact));
         }
     }
 }

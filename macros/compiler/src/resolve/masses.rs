@@ -32,7 +32,7 @@ impl Elaborator<'_> {
                 _ => self.inertia(written, found.mass, false, scope),
             };
             let Some(value) = value else { continue };
-            if !value.iter().all(|part| self.is_fixed(*part)) {
+            if !value.iter().all(|part| self.arena.is_fixed(*part)) {
                 self.refuse::<()>(written.value.range, ValueFact::NotFixed { place: "the mass of a body" });
                 continue;
             }
@@ -43,7 +43,7 @@ impl Elaborator<'_> {
             };
             if place {
                 let body = frame.name.to_string();
-                self.once(Key::Value(frame.id(), 1000 + number), |this| {
+                self.unless_refused(Key::Value(frame.id(), 1000 + number), |this| {
                     this.refuse::<()>(&written.what, NameFact::DuplicateStart { name: word.clone(), body })
                 });
             }
@@ -75,7 +75,7 @@ impl Elaborator<'_> {
         if self.names.is_abstract() {
             return Some(());
         }
-        if !value.iter().all(|part| self.is_fixed(*part)) {
+        if !value.iter().all(|part| self.arena.is_fixed(*part)) {
             return self.refuse(item.value.range, ValueFact::NotFixed { place: "the mass of a body" });
         }
         let mass = match is_inertia {

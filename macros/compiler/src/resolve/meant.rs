@@ -8,7 +8,7 @@ use super::statement::ScalarEquation;
 use crate::diag::{EquationFact, JerkObstacle, JointValue, MotionFact, ValueFact, Word};
 use crate::hints::{by_time, cross_product, is_zero, unit_in_parts};
 use crate::library;
-use crate::names::{Declared, FrameId, Progress, Scope, Sort, Value};
+use crate::names::{Declared, FrameId, Progress, Scope, Value};
 use crate::quantity::{self, Ambient, Dim};
 use crate::syntax::ast::{self, Definition, ExpressionKind, Formal, FormalKind, JointItem, Statement, Task};
 use proc_macro2::Ident;
@@ -34,7 +34,7 @@ impl Elaborator<'_> {
             }
             (Word::Joint | Word::Drive, true) => {
                 let is_along = definition.parameters.first().is_some_and(|formal| formal.name == "P");
-                let drive = || if is_along { "drive_distance(P, Q, law)".to_owned() } else { self.a_drive("law") };
+                let drive = || if is_along { "drive_distance(P, Q, law)".to_owned() } else { self.names.a_drive("law") };
                 let instead = (word == Word::Drive).then(drive);
                 self.refuse(kind, MotionFact::ForceForConstraint { force: constraint, word, name, instead })
             }
@@ -66,7 +66,7 @@ impl Elaborator<'_> {
             }
             Word::Drive => {
                 let law = if dim.times(Dim::TIME) == Dim::ANGLE { format!("{value} * t") } else { value.clone() };
-                MotionFact::ValueForConstraint { word, value, instead: format!("drive {name} = {};", self.a_drive(&law)) }
+                MotionFact::ValueForConstraint { word, value, instead: format!("drive {name} = {};", self.names.a_drive(&law)) }
             }
             Word::Joint => {
                 let call = if self.names.ambient == Ambient::Space { "revolute(P, a, Q, b)" } else { "revolute(P, Q)" };
@@ -74,15 +74,6 @@ impl Elaborator<'_> {
             }
         };
         self.refuse(written.range, fact)
-    }
-
-    /// A drive of the first body, or of a joint in space, by a law.
-    fn a_drive(&self, law: &str) -> String {
-        match (self.names.ambient, self.names.frames.get(1)) {
-            (Ambient::Space, _) => format!("drive_rotation(joint, {law})"),
-            (Ambient::Plane, Some(frame)) => format!("drive_angle({}, {law})", frame.name),
-            (Ambient::Plane, None) => format!("drive_angle(body, {law})"),
-        }
     }
 
     /// Refuses `10mm * t` for `10mm_s * t` where dimensions do not agree.
@@ -129,7 +120,7 @@ impl Elaborator<'_> {
                 continue;
             }
             // Names bound by a `let` before it are not known here: then nothing is proposed about them.
-            let axes = [one, two].map(|factor| self.names_axis(factor, scope));
+            let axes = [one, two].map(|factor| self.names.is_axis(factor, scope));
             let [one, two] = [one.to_string(), two.to_string()];
             let rows = match axes {
                 [true, _] => Some(format!("across({one}, {two}) == 0;")),
@@ -140,23 +131,6 @@ impl Elaborator<'_> {
             return self.refuse(lhs.range.to(rhs.range), EquationFact::CrossProduct { rows, parallel });
         }
         Some(())
-    }
-
-    /// True for the path of an axis, `body.axis`, and for a direction that is written out.
-    fn names_axis(&self, value: &ast::Expression, scope: &Scope) -> bool {
-        if let ExpressionKind::Tuple(items) = &value.kind {
-            return items.iter().all(|item| matches!(item.kind, ExpressionKind::Number { .. }));
-        }
-        let ExpressionKind::Field(owner, name) = &value.kind else { return false };
-        let ExpressionKind::Path(path) = &owner.kind else { return false };
-        let frame = match &path.name {
-            Some(name) if name == "ground" => Some(FrameId::GROUND),
-            Some(name) => (0..self.names.frames.len()).map(FrameId).find(|frame| name == &self.names.frames[frame.0].name),
-            None => None,
-        };
-        let is_bound = path.name.as_ref().is_some_and(|name| scope.value_of(name).is_some());
-        let group = frame.filter(|_| !is_bound).and_then(|frame| self.names.find(self.names.frames[frame.0].space, &name.to_string()));
-        group.is_some_and(|group| self.names.group(group).sort == Sort::Axis)
     }
 
     /// A number with its unit, where the unit is written in parts that are no names: `500N_mm` for `500N / mm`.
@@ -181,29 +155,9 @@ impl Elaborator<'_> {
             }
         }
         if offers.is_empty() {
-            offers = self.coordinates_across(&joint, &arguments);
+            offers = self.names.coordinates_across(&joint, &arguments);
         }
         self.refuse(written.range, MotionFact::FreedomOfJoint { name: name.to_string(), joint, offers })
-    }
-
-    /// The quantity between the bodies of a joint that names no coordinate: a distance along its axis, or an angle.
-    fn coordinates_across(&self, joint: &str, arguments: &[(String, Value)]) -> Vec<String> {
-        if let (Some((axis, _)), [(from, _), (to, _)]) = (
-            arguments.iter().find(|(_, value)| matches!(value, Value::Axis(_))),
-            arguments.iter().filter(|(_, value)| matches!(value, Value::Point(_))).collect::<Vec<_>>().as_slice(),
-        ) {
-            return vec![format!("dot({joint}.{to} - {joint}.{from}, {joint}.{axis})")];
-        }
-        let mut frames: Vec<FrameId> = arguments.iter().filter_map(|(_, value)| value.frame()).collect();
-        frames.retain(|frame| *frame != FrameId::GROUND);
-        frames.dedup();
-        let name = |frame: &FrameId| &self.names.frames[frame.0].name;
-        match (frames.as_slice(), self.names.ambient) {
-            ([.., one, two], Ambient::Plane) => vec![format!("{}.angle - {}.angle", name(two), name(one))],
-            ([only], Ambient::Plane) => vec![format!("{}.angle", name(only))],
-            ([.., last], Ambient::Space) => vec![format!("{}.angular_velocity", name(last))],
-            ([], _) => Vec::new(),
-        }
     }
 
     /// A joint of a body in space that has an angle.
@@ -251,7 +205,7 @@ impl Elaborator<'_> {
         let Some(input) = self.inputs.values().next().cloned() else { return };
         for (_, output) in register.outputs.iter().filter(|(_, output)| output.is_slice && task.is_solved()) {
             let fact = MotionFact::SliceBesideInput { output: output.name.to_string(), input: input.clone() };
-            self.once(output, |this| this.refuse::<()>(&output.name, fact));
+            self.unless_refused(output, |this| this.refuse::<()>(&output.name, fact));
         }
         if task != Task::Motion {
             return;
@@ -273,7 +227,7 @@ impl Elaborator<'_> {
             Task::Motion => JerkObstacle::Integrated { freedom },
         };
         for (_, output) in &register.outputs {
-            self.once(output, |this| this.may_have_jerk(output, obstacle.clone()));
+            self.unless_refused(output, |this| this.may_have_jerk(output, obstacle.clone()));
         }
     }
 
@@ -285,7 +239,7 @@ impl Elaborator<'_> {
         let freedom = register.joints.iter().find(|(_, joint)| joint.is_freedom()).map(|(_, freedom)| freedom.name.to_string());
         for (_, output) in register.outputs.iter().filter(|(_, output)| output.is_slice) {
             let fact = MotionFact::SliceBesideFreedom { output: output.name.to_string(), freedom: freedom.clone() };
-            self.once(output, |this| this.refuse::<()>(&output.name, fact));
+            self.unless_refused(output, |this| this.refuse::<()>(&output.name, fact));
         }
         if let Some(range) = &register.range {
             self.refuse::<()>(&range.keyword, MotionFact::RangeBesideFreedom { freedom });

@@ -29,7 +29,7 @@ mod statement;
 mod unused;
 mod whole;
 
-pub(crate) use definition::{check as check_definition, check_names};
+pub(crate) use definition::check as check_definition;
 pub(crate) use whole::{Outline, outline, resolve};
 
 use crate::model::{

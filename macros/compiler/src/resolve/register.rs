@@ -6,7 +6,6 @@
 use super::declare::Written;
 use super::declare::duplicate;
 use super::elaborate::Elaborator;
-use super::layout::OpenPart;
 use super::{Name, Of};
 use crate::diag::{ArrayFact, EquationFact, GrammarFact, NameFact};
 use crate::expr::Leaf;
@@ -20,14 +19,23 @@ use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-/// Largest number of items, with loops unrolled and parts expanded, plus the number of loop iterations.
-pub(super) const MOST: usize = 100_000;
-
 /// Fields of an input in the generated struct.
 pub(super) const INPUT_PARTS: [&str; 3] = ["value", "rate", "acceleration"];
 
 /// Deepest nesting of parts.
 const DEEPEST: usize = 20;
+
+/// The mechanism or a part while its items are registered.
+#[derive(Default)]
+pub(super) struct OpenPart {
+    pub(super) component: Option<ast::Shared<ast::ComponentItem>>,
+    /// Number of its first body.
+    pub(super) first: usize,
+    /// Items that appear in the generated types, each with its number among items of its kind.
+    pub(super) items: Vec<(Of, EntityId, usize)>,
+    /// Declaration of the part.
+    pub(super) id: Option<EntityId>,
+}
 
 /// Declared items, in the order of expansion.
 #[derive(Default)]
@@ -86,7 +94,7 @@ impl Elaborator<'_> {
             self.diag.refuse::<()>(name, NameFact::Duplicate { name: word, first: "another component" });
         } else {
             self.names.home = component.home;
-            self.once(component, |this| this.head_is_sound(&component.head));
+            self.unless_refused(component, |this| this.head_is_sound(&component.head));
             self.names.home = None;
             self.names.components.insert(word, component.clone());
         }
@@ -110,7 +118,7 @@ impl Elaborator<'_> {
         match item {
             Item::Parameter(parameter) => {
                 let leaf = self.arena.leaf(Leaf::Parameter(register.parameters.len() as u32));
-                let dim = self.once(parameter, |this| this.dimension(&parameter.dimension));
+                let dim = self.unless_refused(parameter, |this| this.dimension(&parameter.dimension));
                 let value = dim.map(|dim| Value::Scalar(Scalar { expr: leaf, measure: InferredDim::Known(dim) }));
                 let progress = value.map_or(Progress::Failed, Progress::Done);
                 let written = Written { key: Key::Name(parameter.id()), name: &parameter.name, indices: &parameter.indices };
@@ -138,12 +146,12 @@ impl Elaborator<'_> {
     /// Registers an input: a name whose value, rate and acceleration are fields of the generated struct of inputs.
     fn input(&mut self, input: &ast::Shared<ast::ParameterItem>, context: &Context, register: &mut Register) {
         if context.space != SpaceId::MECHANISM {
-            self.once(input, |this| this.refuse::<()>(&input.name, GrammarFact::OnlyAtTheTop { word: "input".into() }));
+            self.unless_refused(input, |this| this.refuse::<()>(&input.name, GrammarFact::OnlyAtTheTop { word: "input".into() }));
             return;
         }
         let first = register.parameters.len();
         let leaf = self.arena.leaf(Leaf::Input { number: first as u32, order: 0 });
-        let dim = self.once(input, |this| this.dimension(&input.dimension));
+        let dim = self.unless_refused(input, |this| this.dimension(&input.dimension));
         let value = dim.map(|dim| Value::Scalar(Scalar { expr: leaf, measure: InferredDim::Known(dim) }));
         let progress = value.map_or(Progress::Failed, Progress::Done);
         let written = Written { key: Key::Name(input.id()), name: &input.name, indices: &input.indices };
@@ -223,13 +231,13 @@ impl Elaborator<'_> {
     /// Registers an output. Outputs have a namespace of their own.
     fn output_item(&mut self, output: &ast::Shared<ast::OutputItem>, context: &Context, place: usize, register: &mut Register) {
         let Some(indices) = self.written_indices(&output.indices, output, context) else { return };
-        let name = self.full_name(context.space, Key::Name(output.id()), &output.name, &indices);
+        let name = self.names.full_name(context.space, Key::Name(output.id()), &output.name, &indices);
         self.names.outputs.insert((context.space, output.name.to_string()));
         let known = register.output_names.entry((context.space, output.name.to_string())).or_default();
         let is_like_others = known.first().is_none_or(|other| other.len() == indices.len());
         if !is_like_others || !known.insert(indices) {
             let fact = duplicate(name.to_string(), "another output", context.bound.last().filter(|_| is_like_others));
-            self.once(output, |this| this.refuse::<()>(&output.name, fact));
+            self.unless_refused(output, |this| this.refuse::<()>(&output.name, fact));
             return;
         }
         let declared = Declared { entity: Entity::Known, progress: Progress::Failed, name, context: context.clone() };
@@ -250,8 +258,8 @@ impl Elaborator<'_> {
         if !self.variable_is_new(item, variable, context) {
             return Vec::new();
         }
-        let rounds = self.at(self.situation(context), |this| {
-            this.once(item, |this| this.rounds(bounds, register.loops > 0, &Scope::of(context).timeless("an index")))
+        let rounds = self.with_place(self.situation(context), |this| {
+            this.unless_refused(item, |this| this.rounds(bounds, register.loops > 0, &Scope::of(context).timeless("an index")))
         });
         let rounds = rounds.unwrap_or_default();
         if self.charge(rounds.len(), variable).is_none() {
@@ -280,7 +288,7 @@ impl Elaborator<'_> {
             None if is_reserved(&word) => NameFact::Reserved { name: word },
             None => return true,
         };
-        self.once(item, |this| this.refuse::<()>(variable, fact));
+        self.unless_refused(item, |this| this.refuse::<()>(variable, fact));
         false
     }
 
@@ -292,7 +300,7 @@ impl Elaborator<'_> {
             return;
         }
         if register.open.contains(&word) {
-            self.once(part, |this| this.refuse::<()>(&part.kind, ArrayFact::ComponentRecursion { name: word }));
+            self.unless_refused(part, |this| this.refuse::<()>(&part.kind, ArrayFact::ComponentRecursion { name: word }));
             return;
         }
         if register.open.len() >= DEEPEST {
@@ -302,8 +310,8 @@ impl Elaborator<'_> {
         let written = Written { key: Key::Name(part.id()), name: &part.name, indices: &part.indices };
         let Some(id) = self.declare(written, Entity::Known, Progress::Failed, Sort::Part, context) else { return };
         let path = self.names.declared[id.0].name.path.clone();
-        let slots = self.at(Some(path.clone()).filter(|_| is_one_of_many(context)), |this| {
-            this.once(part, |this| {
+        let slots = self.with_place(Some(path.clone()).filter(|_| is_one_of_many(context)), |this| {
+            this.unless_refused(part, |this| {
                 this.arguments_are_no_parameters(part, &component)?;
                 this.slots(&component.head, &part.kind, &part.arguments)
             })
@@ -360,7 +368,7 @@ impl Elaborator<'_> {
         let near = self.nearest(&word, self.names.components_in(space).keys().map(String::as_str));
         let meant = near.as_ref().and_then(|near| self.names.components_in(space).get(near)).cloned();
         let is_force = self.known_definition(&word).map(|found| found.is_force);
-        self.once(part, |this| this.refuse::<()>(&part.kind, ArrayFact::UnknownComponent { name: word, near, is_force }));
+        self.unless_refused(part, |this| this.refuse::<()>(&part.kind, ArrayFact::UnknownComponent { name: word, near, is_force }));
         meant
     }
 
@@ -375,20 +383,20 @@ impl Elaborator<'_> {
             let is_free = self.names.ambient == Ambient::Space && self.names.ambient.coordinate(&word).is_some();
             if self.names.ambient.start_words().any(|known| known == word) && !is_free {
                 self.names.misused.insert(format!("{}.{word}", self.names.frames[frame.0].name));
-                self.once(mark, |this| this.refuse::<()>(&mark.name, NameFact::Reserved { name: word }));
+                self.unless_refused(mark, |this| this.refuse::<()>(&mark.name, NameFact::Reserved { name: word }));
                 continue;
             }
             let space = self.names.frames[frame.0].space;
-            let name = self.full_name(space, Key::Name(mark.id()), &mark.name, &indices);
+            let name = self.names.full_name(space, Key::Name(mark.id()), &mark.name, &indices);
             let sort = if mark.is_axis { Sort::Axis } else { Sort::Point };
             let entity = Entity::Mark(frame, mark.clone());
             let declared = Declared { entity, progress: Progress::Untouched, name, context: context.clone() };
             let id = self.insert(declared);
             let body = self.names.frames[frame.0].name.clone();
-            match self.join(space, &word, sort, indices, id) {
+            match self.names.join(space, &word, sort, indices, id) {
                 Ok(()) => register.marks.push(id),
                 Err(_) => {
-                    self.once(mark, |this| this.refuse::<()>(&mark.name, NameFact::DuplicateMark { name: word, body }));
+                    self.unless_refused(mark, |this| this.refuse::<()>(&mark.name, NameFact::DuplicateMark { name: word, body }));
                 }
             }
         }

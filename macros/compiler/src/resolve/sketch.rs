@@ -22,7 +22,7 @@ impl Elaborator<'_> {
         let forces = register.forces.iter().map(|(id, _)| (self.names.declared[id.0].name.unraw(), self.sketched_joint(*id, "")));
         let forces = forces.filter_map(|(name, made)| Some((name, made.between()?))).collect();
         let outputs = register.outputs.iter().filter_map(|(id, output)| {
-            let value = self.of(*id, output, |this, _, context| this.value(&output.value, &Scope::of(context)))?;
+            let value = self.resolved(*id, output, |this, _, context| this.value(&output.value, &Scope::of(context)))?;
             let Value::Point(point) = value else { return None };
             Some(NamedPoint { name: self.names.declared[id.0].name.to_string(), at: local(point) })
         });

@@ -67,7 +67,7 @@ impl Elaborator<'_> {
         let (Some(one), Some(two)) = (axis.in_space(), zero.in_space()) else {
             return self.refuse(written.range, ValueFact::OnlyInSpace { word: "from".to_owned(), typed: None });
         };
-        if !zero.iter().all(|part| self.is_fixed(*part)) {
+        if !zero.iter().all(|part| self.arena.is_fixed(*part)) {
             return self.refuse(written.range, ValueFact::NotFixed { place: "a point or an axis" });
         }
         let normal = cross(&mut self.arena, one, two);
@@ -157,7 +157,7 @@ impl Elaborator<'_> {
     fn as_axis(&self, value: Value) -> Option<Fixed> {
         match value {
             Value::Axis(axis) => Some(axis),
-            Value::Vector(Vector { parts, measure }) if parts.iter().all(|part| self.is_fixed(*part)) => {
+            Value::Vector(Vector { parts, measure }) if parts.iter().all(|part| self.arena.is_fixed(*part)) => {
                 Some(Fixed { frame: FrameId::GROUND, local: parts, measure, zero: None })
             }
             _ => None,
@@ -183,17 +183,9 @@ impl Elaborator<'_> {
         natural(&mut self.arena)[(longest(&values) + 1) % 3]
     }
 
-    /// The axes of a triad in ground.
-    fn in_ground(&mut self, triad: Triad) -> [Triple; 3] {
-        match triad.body {
-            Some(body) => triad.axes.map(|axis| self.arena.turned(body, axis)),
-            None => triad.axes,
-        }
-    }
-
     /// x · v and y · v
     fn across(&mut self, triad: Triad, vector: Vector, other: Option<Fixed>) -> Option<Value> {
-        let [x, y, _] = self.in_ground(triad);
+        let [x, y, _] = triad.in_ground(&mut self.arena);
         let relation = match other {
             Some(other) => Some(Relationship::SameDirection(triad, self.triad(other)?)),
             None => {
@@ -203,7 +195,7 @@ impl Elaborator<'_> {
         };
         // The direction of an axis is a unit vector.
         let (v, measure) = match relation {
-            Some(Relationship::SameDirection(_, other)) => (self.in_ground(other)[2], InferredDim::Known(Dim::NUMBER)),
+            Some(Relationship::SameDirection(_, other)) => (other.in_ground(&mut self.arena)[2], InferredDim::Known(Dim::NUMBER)),
             _ => (vector.parts.in_space()?, vector.measure),
         };
         let rows = [dot(&mut self.arena, x, v), dot(&mut self.arena, y, v)];
@@ -215,7 +207,7 @@ impl Elaborator<'_> {
 
     /// z · v
     fn along(&mut self, triad: Triad, vector: Vector) -> Option<Scalar> {
-        let z = self.in_ground(triad)[2];
+        let z = triad.in_ground(&mut self.arena)[2];
         let v = vector.parts.in_space()?;
         let value = dot(&mut self.arena, z, v);
         let expr = match self.space.differences.get(&v).copied() {
@@ -227,7 +219,7 @@ impl Elaborator<'_> {
 
     /// The angle of the second triad against the first, near the joint's own coordinate.
     fn joint_angle(&mut self, one: Triad, two: Triad) -> Scalar {
-        let ([x, y, _], [other, _, _]) = (self.in_ground(one), self.in_ground(two));
+        let ([x, y, _], [other, _, _]) = (one.in_ground(&mut self.arena), two.in_ground(&mut self.arena));
         let bodies = self.names.frames.len() as u32 - 1;
         let expr = self.quantity(JointQuantity::Angle(one, two), |arena, number| {
             let near = arena.leaf(Leaf::Coordinate(DECLARED + Role::SPACE.len() as u32 * bodies + number));
@@ -258,7 +250,7 @@ impl Elaborator<'_> {
 
     /// y_i · z_j, z_i · x_j and x_i · y_j, which vanish where the triads are equal.
     fn misalignment(&mut self, one: Triad, two: Triad) -> Vector {
-        let ([xi, yi, zi], [xj, yj, zj]) = (self.in_ground(one), self.in_ground(two));
+        let ([xi, yi, zi], [xj, yj, zj]) = (one.in_ground(&mut self.arena), two.in_ground(&mut self.arena));
         let rows = [(yi, zj), (zi, xj), (xi, yj)].map(|(a, b)| dot(&mut self.arena, a, b));
         self.space.origins.insert(rows.to_vec(), Relationship::SameOrientation(one, two));
         Vector { parts: Components::space(rows), measure: InferredDim::Known(Dim::NUMBER) }

@@ -102,7 +102,7 @@ impl Elaborator<'_> {
             });
             if !is_affine {
                 let fact = EquationFact::NotAffine { joint: joint.to_owned(), row: row + 1, of: rows.len() };
-                self.say::<()>(equation.range, fact);
+                self.refuse_here::<()>(equation.range, fact);
                 return;
             }
         }

@@ -129,25 +129,9 @@ impl Elaborator<'_> {
             return Some(());
         }
         let blamed = sides.into_iter().find(|(side, _)| place_of_argument(side, places).is_some());
-        let instead = blamed.and_then(|(side, other)| self.of_a_body(scope.value_of(argument_of(side)?)?, *relation, other));
+        let instead = blamed.and_then(|(side, other)| self.names.mark_instead(scope.value_of(argument_of(side)?)?, *relation, other));
         let place = blamed.and_then(|(side, _)| place_of_argument(side, places));
         self.refuse_at(place, requirement.range(), EquationFact::RequirementFails { why: why.clone(), instead })
-    }
-
-    /// Suggests another point or axis, if its body must, or must not, be `other`.
-    fn of_a_body(&self, given: &Value, relation: Relation, other: FrameId) -> Option<String> {
-        let body = &self.names.frames[other.0].name;
-        match (given, relation) {
-            (Value::Point(_), Relation::Different) => Some("take a point of another body".to_owned()),
-            (Value::Point(at), Relation::Equal) if other != FrameId::GROUND => {
-                Some(format!("take a point of `{body}`, or an axis of `{}`", self.names.frames[at.frame.0].name))
-            }
-            (Value::Axis(_), Relation::Equal) => Some(match self.names.an_axis_of(other) {
-                Some(axis) => format!("take an axis of `{body}`, such as `{body}.{axis}`"),
-                None => format!("give `{body}` an `axis`, and take it here"),
-            }),
-            _ => None,
-        }
     }
 
     fn number_requirement(
@@ -163,7 +147,7 @@ impl Elaborator<'_> {
             return self.refuse(requirement.range(), ValueFact::Unlike { action: "compare", one, two });
         };
         let (lhs, rhs) = (one.expr, two.expr);
-        if self.names.is_abstract() || !self.is_fixed(lhs) || !self.is_fixed(rhs) {
+        if self.names.is_abstract() || !self.arena.is_fixed(lhs) || !self.arena.is_fixed(rhs) {
             // A function of time may vanish at some instants; the solver has to detect that.
             return Some(());
         }
@@ -191,7 +175,7 @@ impl Elaborator<'_> {
     /// Reports an error at the argument at fault, if there is one.
     fn refuse_at<T>(&mut self, place: Option<Range>, range: Range, fact: impl Into<Fact>) -> Option<T> {
         let place = place.or(self.blame.as_ref().map(|blame| blame.place));
-        self.say(place.unwrap_or(range), fact)
+        self.refuse_here(place.unwrap_or(range), fact)
     }
 
     /// Checks that the conditions on parameters hold at the declared defaults.
@@ -227,7 +211,9 @@ impl Elaborator<'_> {
         }
         for FixedValue { expr, item, range, noun, place } in fixed {
             if !self.is_finite(expr, &defaults) {
-                self.at(place, |this| this.once(item, |this| this.refuse::<()>(range, ValueFact::NotFinite { place: noun })));
+                self.with_place(place, |this| {
+                    this.unless_refused(item, |this| this.refuse::<()>(range, ValueFact::NotFinite { place: noun }))
+                });
             }
         }
     }

@@ -5,8 +5,7 @@
 
 use super::declare::Written;
 use super::elaborate::Elaborator;
-use super::layout::OpenPart;
-use super::register::Register;
+use super::register::{OpenPart, Register};
 use crate::names::{Context, Entity, Key, Progress, Sort};
 use crate::syntax::ast;
 use std::collections::BTreeSet;

@@ -118,7 +118,7 @@ impl Elaborator<'_> {
     pub(super) fn parameters(&mut self, register: &Register) -> Vec<Parameter> {
         let parameter = |this: &mut Self, number: usize, (id, written): &(EntityId, ast::Shared<ast::ParameterItem>)| {
             let order = this.inputs.range(..=number as u32).next_back().map_or(0, |(first, _)| number - *first as usize);
-            this.of(*id, written, |this, name, context| {
+            this.resolved(*id, written, |this, name, context| {
                 let declared = this.parameter(written, name, context)?;
                 if !(1..INPUT_PARTS.len()).contains(&order) {
                     return Some(declared);
@@ -131,7 +131,7 @@ impl Elaborator<'_> {
     }
 
     /// Resolves a declared item, unless its declaration was rejected before.
-    pub(super) fn of<T>(
+    pub(super) fn resolved<T>(
         &mut self,
         id: EntityId,
         item: impl Into<Key>,
@@ -142,13 +142,13 @@ impl Elaborator<'_> {
         let place = is_one_of_many(&context).then(|| format!("in `{name}`"));
         let outer = self.space.item.replace(name.clone());
         let home = std::mem::replace(&mut self.names.home, self.names.spaces[context.space.0].home);
-        let found = self.at(place, |this| this.once(item, |this| look(this, &name, &context)));
+        let found = self.with_place(place, |this| this.unless_refused(item, |this| look(this, &name, &context)));
         (self.space.item, self.names.home) = (outer, home);
         found
     }
 
     /// Runs `look` on a declaration, unless it was rejected before, so that each declaration is rejected only once.
-    pub(super) fn once<T>(&mut self, item: impl Into<Key>, look: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
+    pub(super) fn unless_refused<T>(&mut self, item: impl Into<Key>, look: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
         let key = item.into();
         if self.refused.contains(&key) {
             return None;
@@ -162,7 +162,7 @@ impl Elaborator<'_> {
     }
 
     /// Runs `look`; errors that it reports name `place`.
-    pub(super) fn at<T>(&mut self, place: Option<String>, look: impl FnOnce(&mut Self) -> T) -> T {
+    pub(super) fn with_place<T>(&mut self, place: Option<String>, look: impl FnOnce(&mut Self) -> T) -> T {
         let outer = std::mem::replace(&mut self.place, place);
         let found = look(self);
         self.place = outer;
@@ -223,10 +223,10 @@ impl Elaborator<'_> {
         self.names.open.push(id);
         let value = match &entity {
             Entity::Known => None,
-            Entity::Let(binding) => self.of(id, binding, |this, _, context| this.binding(binding, &Scope::of(context))),
+            Entity::Let(binding) => self.resolved(id, binding, |this, _, context| this.binding(binding, &Scope::of(context))),
             Entity::Function(function) => self.function_value(function),
-            Entity::Joint(joint) => self.of(id, joint, |this, _, context| this.joint_value(joint, context)),
-            Entity::Mark(frame, mark) => self.of(id, mark, |this, _, context| this.fixed(*frame, mark, context)),
+            Entity::Joint(joint) => self.resolved(id, joint, |this, _, context| this.joint_value(joint, context)),
+            Entity::Mark(frame, mark) => self.resolved(id, mark, |this, _, context| this.fixed(*frame, mark, context)),
             Entity::Argument(made, number) => self.made_with(id, made, *number),
         };
         self.names.open.pop();
@@ -268,7 +268,7 @@ impl Elaborator<'_> {
         let part = self.names.spaces[owner.space.0].prefix.trim_end_matches('.').to_owned();
         let place = is_one_of_many(&made.outside).then(|| format!("in `{part}`"));
         let scope = Scope::of(context);
-        self.at(place, |this| this.once(key, |this| this.argument(&made.component.head, formal, written, &scope)))
+        self.with_place(place, |this| this.unless_refused(key, |this| this.argument(&made.component.head, formal, written, &scope)))
     }
 
     /// Evaluates a `let`. A bare number is a pure number unless a dimension is declared.

@@ -13,8 +13,8 @@ pub use definition::{Added, Applied, Condition, Defined, Definition, Definitions
 pub use expression::{Expression, ExpressionKind, Operator, Relation};
 pub use node::{ItemId, Shared};
 pub use options::{Closing, Following, Requests, Task};
-pub(crate) use repeated::outermost_first;
 pub use repeated::{ComponentHome, ComponentItem, For, IndexRange, PartItem};
+pub(crate) use repeated::{every_item, has_item, outermost_first};
 
 use crate::diag::Range;
 use crate::quantity::{Ambient, Dim};
@@ -43,7 +43,7 @@ pub struct Mechanism {
     pub ambient: Ambient,
     /// Items between the braces, in the order written.
     pub items: Vec<Item>,
-    /// What imported components see.
+    /// Definitions that imported components see.
     pub homes: Vec<ComponentHome>,
     /// True if a mass is written somewhere, also where it could not be read.
     pub mentions_masses: bool,
@@ -309,7 +309,7 @@ pub struct JointItem {
 impl JointItem {
     /// True for a freedom.
     #[must_use]
-    pub fn is_freedom(&self) -> bool {
+    pub(crate) fn is_freedom(&self) -> bool {
         matches!(self.body, JointBody::Freedom(_))
     }
 }

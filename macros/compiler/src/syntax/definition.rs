@@ -1,10 +1,10 @@
 //! Parses definitions of constraints, and the statements that they share with mechanisms.
 
 use super::ast::{Added, Applied, Condition, Definition, ExpressionKind, Formal, FormalKind, Let, MassItem, Statement};
-use super::dimension::{dimension, required_dimension};
+use super::dimension::{dimension, dimension_of_value, required_dimension};
 use super::expression::{declared, expression, relation, value};
 use super::tokens::{
-    Parsed, arrow, block, comma, docs, equals, expected, keyword, name, parentheses, report, semicolon, statement_text, visibility, wrong,
+    Parsed, block, comma, docs, equals, expected, keyword, name, parentheses, report, semicolon, statement_text, visibility, wrong,
 };
 use crate::diag::{Diag, GrammarFact, MotionFact};
 use crate::quantity::Ambient;
@@ -98,7 +98,7 @@ fn function_kind(input: ParseStream) -> Parsed<FormalKind> {
     if !content.is_empty() {
         return wrong(content.span(), GrammarFact::OneArgument);
     }
-    Ok(FormalKind::Function(from, arrow(input)?))
+    Ok(FormalKind::Function(from, dimension_of_value(input)?))
 }
 
 /// `Joint(translational)`

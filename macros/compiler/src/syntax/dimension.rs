@@ -18,6 +18,15 @@ pub(super) fn required_dimension(input: ParseStream) -> Parsed<Dimension> {
     dimension(input)
 }
 
+/// `-> Dimension`
+pub(super) fn dimension_of_value(input: ParseStream) -> Parsed<Dimension> {
+    if !input.peek(Token![->]) {
+        return expected(input, "`->` and the dimension of the value");
+    }
+    input.parse::<Token![->]>()?;
+    dimension(input)
+}
+
 /// `Length * Angle / Time^2`, also `Length * Angle * Time^-2`
 pub(super) fn dimension(input: ParseStream) -> Parsed<Dimension> {
     let mut factors = Vec::new();

@@ -82,8 +82,8 @@ fn export(input: ParseStream, diag: &mut Diag) -> Parsed<Export> {
     if keyword(&ahead).is_some_and(|word| word == "bundle") {
         return bundle(input, diag);
     }
-    // The tokens handed over are those from the word `constraint` to the closing brace; of a component those before it as well, which
-    // are about its struct.
+    // Handed over are the tokens from the word `constraint` to the closing brace; of a component also the attributes before it, which are
+    // those of its struct.
     let defined = defined(input, diag)?;
     let tokens = between(if let Defined::Component(_) = defined { &begin } else { &ahead }, input)?;
     let Definition { docs, name, .. } = defined.head().clone();

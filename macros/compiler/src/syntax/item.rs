@@ -2,10 +2,10 @@
 
 use super::ast::{
     Closing, ComponentHome, ComponentItem, Docs, Expression, ExpressionKind, Following, FunctionItem, Gravity, Item, JointItem, Limits,
-    Mechanism, ParameterItem, Requests, Shared, StartItem, Task, TimeRange, Use,
+    Mechanism, ParameterItem, Requests, Shared, StartItem, Task, TimeRange, Use, has_item,
 };
 use super::definition::{ambient, binding};
-use super::dimension::{dimension, required_dimension};
+use super::dimension::{dimension, dimension_of_value, required_dimension};
 use super::expression::{declared, expression, value};
 use super::frame::{body, ground};
 use super::joint::{energy, freedom, joint};
@@ -14,7 +14,7 @@ use super::output::output;
 use super::repeated::{component, part, repeated_items};
 use super::salvage;
 use super::tokens::{
-    Parsed, arrow, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, mentions_masses, name, name_before_block,
+    Parsed, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, mentions_masses, name, name_before_block,
     parentheses, path, report, semicolon, skip_item, skip_to_block, visibility, wrong,
 };
 use crate::diag::{ArrayFact, Diag, GrammarFact, Home, Range, ValueFact, Word, home};
@@ -45,7 +45,7 @@ pub(super) fn mechanism(input: ParseStream, diag: &mut Diag) -> Option<Mechanism
     let Some(content) = content else { return Some(mechanism) };
     mechanism.mentions_masses = content.fork().parse().is_ok_and(mentions_masses);
     mechanism.items = items(&content, ItemContext::top(mechanism.ambient), diag);
-    if mechanism.task == Task::Kinematics && has_freedoms(&mechanism.items) {
+    if mechanism.task == Task::Kinematics && has_item(&mechanism.items, is_freedom) {
         mechanism.task = Task::Motion;
     }
     if !input.is_empty() {
@@ -57,15 +57,8 @@ pub(super) fn mechanism(input: ParseStream, diag: &mut Diag) -> Option<Mechanism
     Some(mechanism)
 }
 
-/// True if some item, also of a loop or a component, is a freedom.
-fn has_freedoms(items: &[Item]) -> bool {
-    items.iter().any(|item| match item {
-        Item::Joint(joint) => joint.is_freedom(),
-        Item::For(repeated) => has_freedoms(&repeated.items),
-        Item::Component(component) => has_freedoms(&component.items),
-        Item::Refused(item) => has_freedoms(std::slice::from_ref(item)),
-        _ => false,
-    })
+fn is_freedom(item: &Item) -> bool {
+    matches!(item, Item::Joint(joint) if joint.is_freedom())
 }
 
 /// Parses everything before the items.
@@ -93,12 +86,12 @@ fn salvaged(head: ParseStream) -> Option<Mechanism> {
     Some(without_items(name, ambient(head).ok().flatten().unwrap_or_default()))
 }
 
-/// A mechanism with imported components, and what they see.
+/// A mechanism with imported components, and the definitions that these see.
 pub(super) fn with_components(tree: &Mechanism, components: Vec<Shared<ComponentItem>>, homes: Vec<ComponentHome>) -> Mechanism {
     let mut whole = tree.clone();
     whole.items.extend(components.into_iter().map(Item::Component));
     whole.homes = homes;
-    if whole.task == Task::Kinematics && has_freedoms(&whole.items) {
+    if whole.task == Task::Kinematics && has_item(&whole.items, is_freedom) {
         whole.task = Task::Motion;
     }
     whole
@@ -399,7 +392,7 @@ fn function(input: ParseStream) -> Parsed<FunctionItem> {
     if !content.is_empty() {
         return wrong(content.span(), GrammarFact::OneArgument);
     }
-    let to = arrow(input)?;
+    let to = dimension_of_value(input)?;
     let value = value(input)?;
     Ok(FunctionItem { name, argument, from, to, value })
 }

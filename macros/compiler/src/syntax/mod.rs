@@ -45,7 +45,7 @@ pub(crate) fn parse_exported(tokens: TokenStream, diag: &mut Diag) -> Option<Vec
     run(tokens, diag, export::exported)
 }
 
-/// A mechanism with imported components, and what they see.
+/// A mechanism with imported components, and the definitions that these see.
 pub(crate) fn with_components(tree: &Mechanism, components: Vec<Shared<ComponentItem>>, homes: Vec<ComponentHome>) -> Mechanism {
     item::with_components(tree, components, homes)
 }

@@ -73,7 +73,7 @@ pub(super) fn salvaged(input: ParseStream, ambient: Ambient) -> Option<Item> {
     })
 }
 
-/// The keyword that was probably meant: the one written, one like it, or that of what has this name elsewhere.
+/// The keyword that was probably meant: a similar one, or that of an item which other programs call by this word.
 fn meant(word: &str, ambient: Ambient, rest: ParseStream) -> Option<String> {
     // `parm` before a dimension is rather `param` than `part`.
     let fits = |keyword: &&str| *keyword == word || ["param", "input"].contains(keyword) == rest.peek(Token![:]);

@@ -1,7 +1,6 @@
 //! Helpers of all parsers: delimiters, paths, doc comments, and errors.
 
-use super::ast::{Dimension, Docs, Path};
-use super::dimension::dimension;
+use super::ast::{Docs, Path};
 use crate::diag::{Diag, Fact, GrammarFact, Range, Refusal, ValueFact};
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
@@ -119,15 +118,6 @@ pub(super) fn comma(content: ParseStream, what: &'static str) -> Parsed<()> {
     }
     content.parse::<Token![,]>()?;
     Ok(())
-}
-
-/// `-> Dimension`
-pub(super) fn arrow(input: ParseStream) -> Parsed<Dimension> {
-    if !input.peek(Token![->]) {
-        return expected(input, "`->` and the dimension of the value");
-    }
-    input.parse::<Token![->]>()?;
-    dimension(input)
 }
 
 /// `;` at the end of an item.

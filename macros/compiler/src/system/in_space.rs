@@ -1,4 +1,4 @@
-//! The forest of bodies in space, beside the equations.
+//! Results of the choice of unknowns in space, besides the unknowns and equations.
 
 use crate::expr::Expr;
 use std::collections::BTreeSet;
@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 /// How the orientations of bodies follow from joints, and where these start; empty in the plane.
 #[derive(Clone, Debug, Default)]
 pub struct InSpace {
-    /// The joint by which the orientation of each body follows, and the body that it follows from.
+    /// For each body the joint that its orientation follows from, and the other body of that joint.
     pub reached: Vec<Option<(usize, Option<usize>)>>,
     /// The binary links: bodies whose orientation follows from the places of their ends.
     pub links: Vec<usize>,

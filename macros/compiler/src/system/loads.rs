@@ -4,7 +4,7 @@
 //! Φ_uᵀ λ = −f      f = M u̇ − Q
 //! ```
 //!
-//! Leaves are the entries of a state: in space those of the rotation matrices, ω and ω̇ stand behind the unknowns.
+//! Leaves are the entries of a state. In space the unknowns are followed by the rotation matrices with ω and ω̇.
 
 use super::rows::Row;
 use super::{COSINES, Equation, Level, balance, cosine, declared, dynamics, parallel};
@@ -43,7 +43,7 @@ pub struct LoadRow {
     pub slope: Option<Expr>,
     /// True if it belongs to a freedom.
     pub is_of_freedom: bool,
-    /// True if it is declared as an equation of velocities, also where it is solved as one of positions.
+    /// True if it is declared as an equation of velocities, even if it is solved as one of positions.
     pub is_of_velocities: bool,
 }
 
@@ -178,7 +178,7 @@ impl JointAngles {
         for (number, [one, two]) in aligned {
             let (_, expr) = &model.space.quantities[*number as usize];
             // The rows of the same joint are by the axes of the first body as well.
-            let axis = parallel::in_ground(arena, *one)[2];
+            let axis = one.in_ground(arena)[2];
             let leaf = Leaf::Coordinate(DECLARED + (Role::SPACE.len() * model.bodies.len()) as u32 + *number);
             back.replace(leaf, *expr);
             let mut turns = Vec::new();

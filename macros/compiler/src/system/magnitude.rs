@@ -27,7 +27,7 @@ pub(crate) fn magnitude(arena: &mut Arena, root: Expr, unknowns: &[usize], all: 
 /// 2 c times.
 fn distance(arena: &Arena, root: Expr) -> Option<(Vec<Expr>, Expr)> {
     let Node::Binary(Binary::Sub, sum, square) = *arena.node(root) else { return None };
-    if arena.leaves(square).iter().any(|leaf| !matches!(leaf, Leaf::Parameter(_))) {
+    if !arena.is_fixed(square) {
         return None;
     }
     let (mut parts, mut pending) = (Vec::new(), vec![sum]);

@@ -9,7 +9,7 @@
 //! Where the triads agree by the choice of the unknowns, the columns of Φ_uᵀ are axes instead of products of axes.
 
 use super::Equation;
-use crate::expr::{Arena, Triple};
+use crate::expr::Arena;
 use crate::model::{Model, Relationship, Triad};
 use crate::quantity::{Ambient, SpeedRole};
 use std::collections::BTreeMap;
@@ -23,7 +23,7 @@ pub(super) fn by_axes_of_one_body(model: &Model, arena: &mut Arena, aligned: &BT
         let opposed = two.half_turned(arena, 0);
         let is_of_it = |triads: &&[Triad; 2]| triads[0] == one && [two, opposed].contains(&triads[1]);
         let Some(is_opposed) = aligned.values().find(is_of_it).map(|triads| triads[1] == opposed) else { continue };
-        let [x, y, _] = in_ground(arena, one);
+        let [x, y, _] = one.in_ground(arena);
         for (offset, axis, is_negative) in [(0, y, !is_opposed), (1, x, is_opposed)] {
             let Some(equation) = equations.iter_mut().find(|equation| (equation.joint, equation.row) == (*joint, row + offset)) else {
                 continue;
@@ -38,13 +38,5 @@ pub(super) fn by_axes_of_one_body(model: &Model, arena: &mut Arena, aligned: &BT
                 equation.jacobian.sort_by_key(|(speed, _)| *speed);
             }
         }
-    }
-}
-
-/// The axes of a triad, in ground.
-pub(super) fn in_ground(arena: &mut Arena, triad: Triad) -> [Triple; 3] {
-    match triad.body {
-        Some(body) => triad.axes.map(|axis| arena.turned(body, axis)),
-        None => triad.axes,
     }
 }

@@ -1,7 +1,7 @@
 //! Magnitude of the terms of an expression that is made of pieces, such as a law of a cam.
 //!
-//! A piece counts only where it is taken, and there its argument is bounded by the comparison that takes it. A polynomial for arguments between 0
-//! and 1 does not count with the powers of an argument of 100.
+//! A branch of an `if` counts only where it is taken, and there the comparison bounds its argument: a polynomial for arguments between 0 and 1
+//! does not count with the powers of an argument of 100.
 //!
 //! ```text
 //! a · b    |a| size b + |b| size a, at most size a size b
@@ -22,11 +22,11 @@ struct Term {
     size: Expr,
     /// Its value is no larger.
     bound: Expr,
-    /// Its value lies between these, as far as they are known.
+    /// Lower and upper end of its values, as far as they are known.
     ends: [Option<Expr>; 2],
 }
 
-/// Ends of the values of nodes where a piece is taken.
+/// By node, the ends of its values within a piece.
 type Limits = BTreeMap<Expr, [Option<Expr>; 2]>;
 
 /// The magnitude of an expression with pieces; `None` without, and where there are too many.
@@ -132,13 +132,13 @@ impl Pieces<'_> {
         })
     }
 
-    /// What is known of nothing but its size.
+    /// A term of which only the size is known.
     fn free(&mut self, size: i64) -> Term {
         let size = self.arena.integer(size);
         Term { size, bound: size, ends: [None; 2] }
     }
 
-    /// The size of a node without unknowns: of pieces, that of the one taken.
+    /// The size of a node without unknowns; of an `if`, that of the branch taken.
     fn at_rest(&mut self, expr: Expr, node: Node, terms: &BTreeMap<Expr, Term>) -> Expr {
         if self.arena.value(expr).is_some() {
             return self.arena.unary(Unary::Abs, expr);
@@ -183,7 +183,7 @@ impl Pieces<'_> {
         self.between(Term { size, bound, ends })
     }
 
-    /// A term whose bound follows from its ends; an end that is not known follows from its bound.
+    /// The term with the bound that follows from its ends, or with the end that follows from its bound, if one end is unknown.
     fn between(&mut self, term: Term) -> Term {
         let (Some(low), Some(high)) = (term.ends[0], term.ends[1]) else {
             let back = self.arena.neg(term.bound);
@@ -203,7 +203,7 @@ impl Pieces<'_> {
         Term { bound, ends: [Some(low), Some(high)], ..term }
     }
 
-    /// One of two pieces, each between the limits that take it.
+    /// The term of an `if`: the sum of both branches, each between the limits at which it is taken.
     fn pieces(&mut self, [lhs, rhs, then, otherwise]: [Expr; 4], limits: &Limits, terms: &BTreeMap<Expr, Term>) -> Option<Term> {
         let (is_left, is_right) = (!self.moving.contains(&rhs), !self.moving.contains(&lhs));
         let limited = |number: usize| {

@@ -1,6 +1,6 @@
 //! Coordinates that only equations of speeds determine keep their declared start values. One without a declared start keeps 0 if the
-//! mechanism closes there, and otherwise its value in a configuration nearby that satisfies the equations of positions. If nothing closes at
-//! the declared values, they only lead to such a configuration where the unknowns whose rates are freedoms have none.
+//! mechanism closes there, and otherwise its value in a configuration nearby that satisfies the equations of positions. If the mechanism does
+//! not close at the declared values, these are only the guess for such a configuration, provided that no unknown whose rate is a freedom has one.
 
 use super::rows::Row;
 use super::{Coordinate, Equation};
@@ -11,10 +11,10 @@ use crate::model::{Model, tabulated};
 use crate::quantity::{Dim, Role};
 use crate::structure::SMALL;
 
-/// Coordinates of which the equations leave more than this share open are pinned first.
+/// A coordinate is pinned first if the equations leave more than this fraction of it open.
 const CLEARLY: f64 = 0.1;
 
-/// The others are pinned if more than this share is open.
+/// The other coordinates are pinned if more than this fraction is open.
 const HARDLY: f64 = 1e-9;
 
 /// Newton steps to a configuration that satisfies the equations.

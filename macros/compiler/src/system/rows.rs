@@ -188,11 +188,10 @@ pub(super) fn begin_at_start(model: &Model, arena: &mut Arena, coordinates: &[Co
 fn integral(arena: &mut Arena, coordinates: &[Coordinate], residual: Expr) -> Result<Expr, NoPosition> {
     let residual = arena.plain(residual, &mut Lookup::default());
     let (factors, side) = affine(arena, residual);
-    let is_fixed = |arena: &Arena, expr: Expr| arena.leaves(expr).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_)));
-    if !factors.iter().all(|(_, factor)| is_fixed(arena, *factor)) {
+    if !factors.iter().all(|(_, factor)| arena.is_fixed(*factor)) {
         return Err(NoPosition::Factors);
     }
-    if !is_fixed(arena, side) {
+    if !arena.is_fixed(side) {
         return Err(NoPosition::Side);
     }
     let time = arena.leaf(Leaf::Time);

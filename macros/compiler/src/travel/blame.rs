@@ -1,7 +1,7 @@
 //! Reports of an end of travel or a crossing of branches.
 
 use super::chain::Chain;
-use super::walk::Event;
+use super::turn::Event;
 use crate::assembly::bodies_in_line;
 use crate::assembly::loops::Loops;
 use crate::assembly::order::Upstream;

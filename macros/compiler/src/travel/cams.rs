@@ -19,7 +19,7 @@ use std::f64::consts::TAU;
 /// Number of directions in which a cam is looked at.
 const LOOKS: usize = 720;
 
-/// A radius of curvature is too small if it is so by more than this part.
+/// Relative tolerance of radii of curvature.
 const ROUNDED: f64 = 1e-9;
 
 /// Warnings about cams that are undercut.

@@ -1,4 +1,4 @@
-//! The time span after which a mechanism has done everything its drives make it do.
+//! The time after which the motion repeats or rests, by the laws of its drives.
 //!
 //! In: the equations of the followed blocks. Out: the time after which everything repeats or rests, if there is one, and the times before
 //! it at which a law changes its expression.

@@ -15,7 +15,6 @@
 //! Reference: Keller (1977), Numerical solution of bifurcation and nonlinear eigenvalue problems.
 
 use super::chain::{Chain, PathPose, Stop};
-use super::walk::Event;
 use crate::linear::dense::Factors;
 
 /// Largest number of steps along the curve.
@@ -32,6 +31,16 @@ const NEARLY: f64 = 1e-4;
 
 /// Largest number of iterations that bracket the zero of dt/ds.
 const MOST_HALVINGS: usize = 100;
+
+/// An end of travel or a crossing of branches.
+#[derive(Clone, Debug)]
+pub(super) struct Event {
+    /// Member that ends or crosses.
+    pub(super) member: usize,
+    pub(super) at: f64,
+    /// q; valid for the member and the members on which it depends.
+    pub(super) q: Vec<f64>,
+}
 
 /// Event found after a pose.
 #[derive(Debug)]

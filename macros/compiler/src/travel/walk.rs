@@ -5,7 +5,7 @@
 //! a region of small steps (`turn`).
 
 use super::chain::{Chain, PathPose, Stop};
-use super::turn::Outlook;
+use super::turn::{Event, Outlook};
 
 /// Largest movement of a block in a step, in rad and characteristic lengths.
 const LONGEST: f64 = 0.6;
@@ -42,16 +42,6 @@ pub(super) enum Way {
     Crossing(Event),
     /// Nothing is known: no step succeeded, or the budget is spent.
     Lost,
-}
-
-/// An end of travel or a crossing of branches.
-#[derive(Clone, Debug)]
-pub(super) struct Event {
-    /// Member that ends or crosses.
-    pub(super) member: usize,
-    pub(super) at: f64,
-    /// q; valid for the member and the members on which it depends.
-    pub(super) q: Vec<f64>,
 }
 
 impl Chain<'_> {

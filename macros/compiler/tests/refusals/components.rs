@@ -48,6 +48,7 @@ crate::refusals! {
     item component_is_unknown: "part p = «Leg»();" => "no component is called `Leg`\nhelp: declare it with `component Leg(…) { … }`";
     item component_is_mistyped: "component Leg() {} part p = «Log»();" => "no component is called `Log`\nhelp: did you mean `Leg`?";
     item constraint_as_a_component: "part p = «revolute»(ground.O, crank.O);" => "`revolute` is a constraint, not a component\nhelp: write `joint name = revolute(…);`";
+    item function_of_the_mechanism_is_mistyped_in_a_component: "component Leg(P: Point) { body b { point A = («lfit»(0rad), 0m); } joint j = revolute(P, b.A); } part leg = Leg(ground.C);" => "no function is called `lfit`\nnote: in `leg.b.A`\nhelp: did you mean `lift`?";
     item component_as_a_constraint: "component Leg() {} joint p = «Leg»();" => "`Leg` is a component, not a constraint\nhelp: write `part name = Leg(…);`";
     item component_twice: "component Leg() {} component «Leg»() {}" => "the name `Leg` is taken: another component has it\nhelp: choose another name";
     item component_of_itself: "component Leg() { part p = «Leg»(); } part q = Leg();" => "the component `Leg` contains itself, and so without end\nhelp: let each part take the one before as an argument: `for i in 1..n { part name[i] = Leg(name[i - 1].end); }`";

@@ -10,7 +10,7 @@ use super::vector::Vec3;
 use super::view::Sight;
 use super::wheels::Wheels;
 use crate::canvas::{Canvas, DrawnItem, Ink, Layer, Near, Stroke, Subject};
-use crate::picture::ALL_NAMED;
+use crate::labels::ALL_NAMED;
 use crate::pins::together;
 use crate::plane::{Place, hull};
 

@@ -243,13 +243,8 @@ impl<T: Float, const P: usize> Real for Gradient<T, P> {
     }
 
     #[inline(always)]
-    fn choose_less<const K: usize>(
-        lhs: Self,
-        rhs: Self,
-        then: impl FnOnce() -> [Self; K],
-        otherwise: impl FnOnce() -> [Self; K],
-    ) -> [Self; K] {
-        if lhs.value < rhs.value { then() } else { otherwise() }
+    fn is_less(lhs: Self, rhs: Self) -> Option<bool> {
+        Some(lhs.value < rhs.value)
     }
 
     fn table(self, table: &Table) -> (Self, Self, Self) {

@@ -22,7 +22,7 @@ fn derivatives_are_central_differences() {
 }
 
 #[test]
-fn memory_changes_nothing() {
+fn a_derivative_is_the_same_beside_others_that_are_remembered() {
     let mut arena = Arena::new();
     let mut by_x = Derivatives::new(Leaf::Coordinate(0));
     for text in FORMULAS {

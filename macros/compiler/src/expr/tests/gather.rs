@@ -53,7 +53,7 @@ fn arms_of_one_frame_become_one() {
 }
 
 #[test]
-fn the_value_stays() {
+fn gathering_keeps_the_value() {
     let (mut arena, frame) = turning();
     let [one, two] = [[3, 1, 2], [-2, 5, 4]].map(|local| {
         let local = vector(&mut arena, local);

@@ -15,7 +15,7 @@ pub struct Definitions {
 impl Definition {
     /// True if an argument is a number or a function of one variable.
     #[must_use]
-    pub fn takes_numbers(&self) -> bool {
+    pub(crate) fn takes_numbers(&self) -> bool {
         let is_number = |formal: &Formal| matches!(formal.kind, FormalKind::Quantity | FormalKind::Scalar(_) | FormalKind::Function(..));
         self.parameters.iter().any(is_number)
     }

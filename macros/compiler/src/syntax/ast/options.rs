@@ -42,13 +42,13 @@ pub enum Task {
 impl Task {
     /// True if the state at every time is solved for, by the drives alone.
     #[must_use]
-    pub fn is_solved(self) -> bool {
+    pub(crate) fn is_solved(self) -> bool {
         self == Task::Kinematics
     }
 
     /// True if drives and freedoms have to determine a state.
     #[must_use]
-    pub fn is_determined(self) -> bool {
+    pub(crate) fn is_determined(self) -> bool {
         self != Task::EquationsOnly
     }
 }

@@ -28,6 +28,28 @@ pub struct ComponentHome {
     pub components: BTreeMap<String, Shared<ComponentItem>>,
 }
 
+/// Items in the order written, with those of loops and components after their own; rejected items are not entered.
+pub(crate) fn every_item(items: &[Item]) -> impl Iterator<Item = &Item> {
+    let mut pending: Vec<&Item> = items.iter().rev().collect();
+    std::iter::from_fn(move || {
+        let item = pending.pop()?;
+        match item {
+            Item::For(repeated) => pending.extend(repeated.items.iter().rev()),
+            Item::Component(component) => pending.extend(component.items.iter().rev()),
+            _ => {}
+        }
+        Some(item)
+    })
+}
+
+/// True if some item is of this kind, also one of a loop or a component, or a rejected one.
+pub(crate) fn has_item(items: &[Item], is_meant: fn(&Item) -> bool) -> bool {
+    every_item(items).any(|item| match item {
+        Item::Refused(rejected) => has_item(std::slice::from_ref(rejected), is_meant),
+        item => is_meant(item),
+    })
+}
+
 impl ComponentItem {
     /// Names of the components of the parts in the component.
     fn kinds_of_parts(&self) -> Vec<&Ident> {

@@ -39,7 +39,7 @@ pub(super) struct BinaryLink {
     along: Triple,
 }
 
-/// Directions of a link, and those of its neighbour's arm, from which its turning follows.
+/// Directions from which the rotation of a link follows: its own, and that of the arm in its neighbour.
 struct LinkDirections {
     x: Triple,
     z: Triple,
@@ -53,8 +53,8 @@ struct LinkDirections {
 impl Forest<'_> {
     /// The binary links of a mechanism; the rows of the second joint, and that of the arms, need not be solved.
     pub(super) fn links(&mut self) -> Vec<BinaryLink> {
-        // Where the cross folds, the formula takes the link to its other side. A step sees it by the orientation before, which states of
-        // slices do not hold, nor the integrated ones of motions.
+        // Where the cross folds, the formula leads to the other side of the link. A step detects that by the previous orientation, which
+        // neither states of slices nor integrated states hold.
         if self.model.task == Task::Motion || self.model.methods.iter().any(|method| method.is_slice) {
             return Vec::new();
         }
@@ -69,7 +69,9 @@ impl Forest<'_> {
         links
     }
 
-    /// The link that a body is, which occurs in these rows.
+    /// The body as a binary link, if it is one.
+    ///
+    /// * `rows`: given, those in which the body occurs.
     fn link(&mut self, body: usize, rows: &[(usize, usize)]) -> Option<BinaryLink> {
         let relations = &self.model.space.relations;
         let own: Vec<_> = relations.iter().filter(|(_, _, relation)| relation.bodies().contains(&Some(body))).copied().collect();
@@ -83,7 +85,7 @@ impl Forest<'_> {
             }
         }
         let ([_, _], [(joint, row, arm)]) = (points.as_slice(), arms.as_slice()) else { return None };
-        // The row of the link stands where the joint with the cross does.
+        // The row of the link is that of the joint with the cross.
         points.sort_by_key(|(of, ..)| of == joint);
         let [(ball, _, [p, own_p]), (other, first, [q, own_q])] = [points[0], points[1]];
         let is_held_elsewhere = p.body == q.body || has_other_rows(rows, &own);

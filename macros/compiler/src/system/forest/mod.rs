@@ -38,11 +38,11 @@ pub(super) struct Forest<'a> {
     /// Number of relations between ground and the body.
     depths: Vec<usize>,
     coordinates: Vec<Coordinate>,
-    /// The relation's joint by which each body was reached, and the body that it was reached from.
+    /// For each body the joint whose relation reached it, and the body from which.
     reached: Vec<Option<(usize, Option<usize>)>>,
-    /// Axes at the start of bodies whose orientation is not declared, as their joints turn them.
+    /// For bodies without a declared orientation, the axes at the start, as their joints turn them.
     started: BTreeMap<usize, Started>,
-    /// Positions at the start of bodies of which they are not declared, as their joints place them.
+    /// For bodies without a declared position, the position at the start, as their joints place them.
     origins: BTreeMap<usize, Triple>,
     /// Bodies that turn to their declared place at the start, and those that keep the orientation of such a body.
     placed: BTreeSet<usize>,

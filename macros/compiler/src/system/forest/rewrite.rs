@@ -9,8 +9,8 @@ use crate::quantity::{Ambient, Dim, Role, SpeedRole};
 use std::collections::BTreeMap;
 
 impl Forest<'_> {
-    /// An angle of two triads by those that are known, if a chain of joints about one direction leads from one to the other; with the
-    /// second triad, half turned about x where its axis points against that of the first.
+    /// The angle between two triads as a sum of known angles, if a chain of joints about one direction leads from one to the other; and the
+    /// second triad, turned by half a turn about x if its axis points against that of the first.
     fn by_known_angles(&mut self, one: Triad, two: Triad) -> Option<(Expr, Triad)> {
         let zero = self.arena.integer(0);
         // Triads on the way, each with its angle against the first.

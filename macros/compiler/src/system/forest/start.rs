@@ -12,7 +12,7 @@ const OPPOSED: f64 = -1e-9;
 /// Unit vectors are parallel at the start, in the same direction or not, if the size of their product is above this.
 const PARALLEL: f64 = 1.0 - 1e-9;
 
-/// A vector is parallel to an axis if the square of its part across the axis is at most this share of its own square.
+/// A vector is parallel to an axis if the square of its part across the axis is at most this fraction of its own square.
 const ALONG: f64 = 1e-12;
 
 impl Forest<'_> {
@@ -39,8 +39,8 @@ impl Forest<'_> {
         }
     }
 
-    /// The same, but by its joints only if the body turns to its declared place or to where a drive has it, or if it keeps the declared orientation
-    /// of another one: without these, angles at the start are those between declared orientations.
+    /// The same, but as joints turn it only if the body turns to its declared place or to that of a drive, or if it keeps the declared orientation of
+    /// another body; otherwise angles at the start are those between declared orientations.
     fn placed_at_start(&mut self, place: Place) -> Triple {
         let is_placed = place.body.is_some_and(|body| self.placed.contains(&body) || self.driven.contains(&body));
         let keeps_declared = self.keeps(place.body).flatten().is_some();
@@ -114,7 +114,7 @@ impl Forest<'_> {
             let mut at_start = Substitution::new();
             at_start.replace(Leaf::Time, self.arena.integer(0));
             let law = at_start.of(self.arena, law);
-            let is_fixed = self.arena.leaves(law).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_)));
+            let is_fixed = self.arena.is_fixed(law);
             match model.space.quantities[number as usize].0 {
                 _ if !is_fixed => None,
                 quantity if quantity == JointQuantity::Angle(one, two) => Some(law),
@@ -278,7 +278,8 @@ impl Forest<'_> {
         }
     }
 
-    /// Ground, or the body with a declared orientation, against which no joint turns a body at the start; `None` if joints turn it against all of them.
+    /// Ground, or the body with a declared orientation, against which no joint turns a body at the start; `None` if joints turn it against each of
+    /// them.
     fn keeps(&self, body: Option<usize>) -> Option<Option<usize>> {
         let Some(number) = body.filter(|body| !self.has_orientation(*body)) else { return Some(body) };
         let started = self.started.get(&number).filter(|started| !started.is_hinged)?;
