@@ -495,7 +495,7 @@ mechanism! {
         param speed: AngularVelocity = 2rad_s;
         gravity = (0, -10m_s2);
         body upper { point E = (length, 0m); }
-        body lower { point E = (0.5m, 0m);  mass = 1kg; }
+        body lower { mass = 1kg;  center = (0.5m, 0m); }
         joint shoulder = revolute(ground.position, upper.position);
         joint elbow = weld(upper.E, lower.position);
         freedom swing = upper.angle from 0rad at speed;

@@ -148,14 +148,20 @@ impl<'a> SparseRows<'a> {
     }
 
     /// Eliminates the columns of a block from the rows that are left; returns its determinant and the number that the size of this has to
-    /// exceed, of a block with one entry in each row and column its entries and a number for each.
+    /// exceed, of a block with one entry in each row and column its entries and a number for each. A constant block whose columns occur in no
+    /// other row is as good in all poses.
     pub(super) fn eliminate(&mut self, block: &PivotBlock, lengths: &[Expr]) -> Vec<[Expr; 2]> {
         let PivotBlock { rows, columns } = block;
         let zero = self.arena.integer(0);
         let entry = |row: &usize, column: &usize| self.entries[*row].get(column).copied().unwrap_or(zero);
         let matrix: Vec<Vec<Expr>> = rows.iter().map(|row| columns.iter().map(|column| entry(row, column)).collect()).collect();
         let cofactors = Cofactors::new(self.arena, &matrix);
+        let is_left = |row: &usize| !rows.contains(row) && !self.pivots.iter().any(|(done, _)| done.rows.contains(row));
+        let is_alone =
+            !(0..self.entries.len()).filter(is_left).any(|row| columns.iter().any(|column| self.entries[row].contains_key(column)));
+        let is_constant = matrix.iter().flatten().all(|entry| self.arena.as_constant(*entry).is_some());
         let checks = match single_entries(&matrix, zero) {
+            _ if is_alone && is_constant => Vec::new(),
             Some(places) => {
                 let pivot =
                     |(at, place): (usize, usize)| self.checked(matrix[at][place], (&rows[at..=at], &columns[place..=place]), lengths);

@@ -2,7 +2,7 @@
 //!
 //! In: the numbers of J where the mechanism is assembled. Out: blocks of rows, each with as many columns that are solved for. The rows of
 //! one joint are taken together, up to three: the determinant of such a block vanishes only where its bodies are in a singular pose, single
-//! entries vanish in ordinary ones.
+//! entries vanish in ordinary ones. Of bodies that are free to turn, blocks that are good in other orientations too come first.
 
 use super::cofactors::BY_COFACTORS;
 use super::trust::Trust;
@@ -43,6 +43,8 @@ pub(super) struct Grouping<'a> {
 /// Rows that are not eliminated yet.
 pub(super) struct OpenRows<'a> {
     numbers: Vec<Vec<f64>>,
+    /// J in other poses.
+    elsewhere: Vec<Vec<Vec<f64>>>,
     /// True for entries that do not always vanish.
     filled: Vec<Vec<bool>>,
     columns: Grouping<'a>,
@@ -61,6 +63,7 @@ impl<'a> OpenRows<'a> {
         let count = numbers.first().map_or(0, Vec::len);
         OpenRows {
             numbers: numbers.to_vec(),
+            elsewhere: Vec::new(),
             filled: (0..numbers.len()).map(|row| (0..count).map(|column| !is_zero(row, column)).collect()).collect(),
             columns,
             trust,
@@ -69,11 +72,22 @@ impl<'a> OpenRows<'a> {
         }
     }
 
+    /// The same, preferring blocks that are steady in other poses, too.
+    pub(super) fn also_in(self, elsewhere: Vec<Vec<Vec<f64>>>) -> OpenRows<'a> {
+        OpenRows { elsewhere, ..self }
+    }
+
     /// Blocks of all rows: among those that are steady the first by their ranks. `None` if rows depend on each other.
     pub(super) fn order(mut self) -> Option<Vec<PivotBlock>> {
         let mut blocks = Vec::new();
         while !self.open.is_empty() {
-            let (_, block) = self.groups().iter().flat_map(|rows| self.candidates(rows)).min()?;
+            let mut candidates: Vec<(Rank, PivotBlock)> =
+                self.groups().iter().flat_map(|rows| self.candidates(rows, &self.numbers)).collect();
+            candidates.sort_unstable();
+            let is_steady_in =
+                |numbers: &[Vec<f64>], block: &PivotBlock| self.candidates(&block.rows, numbers).iter().any(|(_, other)| other == block);
+            let is_steady = |block: &PivotBlock| self.elsewhere.iter().all(|numbers| is_steady_in(numbers, block));
+            let (_, block) = candidates.iter().find(|(_, block)| is_steady(block)).or_else(|| candidates.first())?.clone();
             self.eliminate(&block)?;
             blocks.push(block);
         }
@@ -103,13 +117,13 @@ impl<'a> OpenRows<'a> {
         groups
     }
 
-    /// Grouping for which rows can be solved, with the rank of each choice.
-    fn candidates(&self, rows: &[usize]) -> Vec<(Rank, PivotBlock)> {
+    /// Columns for which rows can be solved, with the rank of each choice.
+    fn candidates(&self, rows: &[usize], numbers: &[Vec<f64>]) -> Vec<(Rank, PivotBlock)> {
         let held: Vec<usize> = self.free.iter().copied().filter(|column| rows.iter().any(|row| self.filled[*row][*column])).collect();
         let choices: Vec<(f64, Vec<usize>)> =
-            choices(&held, rows.len()).into_iter().map(|columns| (self.determinant(rows, &columns).abs(), columns)).collect();
+            choices(&held, rows.len()).into_iter().map(|columns| (determinant(numbers, rows, &columns).abs(), columns)).collect();
         let largest = choices.iter().map(|(size, _)| *size).fold(0.0, f64::max);
-        let sum = |row: &usize| held.iter().map(|column| self.numbers[*row][*column].abs()).sum::<f64>();
+        let sum = |row: &usize| held.iter().map(|column| numbers[*row][*column].abs()).sum::<f64>();
         // Twice the bound: a smaller determinant would soon fall below it.
         let least = if rows.len() == 1 { 0.0 } else { 2.0 * rows.iter().map(sum).product::<f64>() / self.trust.of(rows.len()) as f64 };
         let is_steady = |size: f64| size >= STEADY * largest && size > least;
@@ -124,39 +138,48 @@ impl<'a> OpenRows<'a> {
         steady.map(|(_, columns)| (rank(&columns), PivotBlock { rows: rows.to_vec(), columns })).collect()
     }
 
-    fn block(&self, rows: &[usize], columns: &[usize]) -> Vec<Vec<f64>> {
-        rows.iter().map(|row| columns.iter().map(|column| self.numbers[*row][*column]).collect()).collect()
-    }
-
-    fn determinant(&self, rows: &[usize], columns: &[usize]) -> f64 {
-        let Some((first, rest)) = rows.split_first() else { return 1.0 };
-        let term = |at: usize| {
-            let others: Vec<usize> = columns.iter().copied().filter(|column| *column != columns[at]).collect();
-            let sign = if at.is_multiple_of(2) { 1.0 } else { -1.0 };
-            sign * self.numbers[*first][columns[at]] * self.determinant(rest, &others)
-        };
-        (0..columns.len()).map(term).sum()
-    }
-
-    /// Eliminates the columns of a block from the rows that are left; `None` if the block is singular.
+    /// Eliminates the columns of a block from the rows that are left; `None` if the block is singular. Another pose in which it is no longer
+    /// counts.
     fn eliminate(&mut self, block: &PivotBlock) -> Option<()> {
         let PivotBlock { rows, columns } = block;
         self.open.retain(|row| !rows.contains(row));
         self.free.retain(|column| !columns.contains(column));
-        let matrix = self.block(rows, columns);
-        let transposed: Vec<Vec<f64>> = (0..rows.len()).map(|k| matrix.iter().map(|row| row[k]).collect()).collect();
-        let open = self.open.clone();
-        for other in open.into_iter().filter(|other| columns.iter().any(|column| self.filled[*other][*column])).collect::<Vec<_>>() {
-            let factors = dense::solve(transposed.clone(), &self.block(&[other], columns)[0])?;
+        let takes = |row: &usize| columns.iter().any(|column| self.filled[*row][*column]);
+        let others: Vec<usize> = self.open.iter().copied().filter(takes).collect();
+        reduce(&mut self.numbers, block, (&others, &self.free))?;
+        self.elsewhere.retain_mut(|numbers| reduce(numbers, block, (&others, &self.free)).is_some());
+        for other in others {
             for column in &self.free {
-                for (row, factor) in rows.iter().zip(&factors) {
-                    self.filled[other][*column] |= self.filled[*row][*column];
-                    self.numbers[other][*column] -= factor * self.numbers[*row][*column];
-                }
+                self.filled[other][*column] |= rows.iter().any(|row| self.filled[*row][*column]);
             }
         }
         Some(())
     }
+}
+
+/// Subtracts multiples of the rows of a block from other rows, so that the columns of the block vanish from them.
+fn reduce(numbers: &mut [Vec<f64>], PivotBlock { rows, columns }: &PivotBlock, (others, free): (&[usize], &[usize])) -> Option<()> {
+    let transposed: Vec<Vec<f64>> = columns.iter().map(|column| rows.iter().map(|row| numbers[*row][*column]).collect()).collect();
+    for other in others {
+        let right: Vec<f64> = columns.iter().map(|column| numbers[*other][*column]).collect();
+        let factors = dense::solve(transposed.clone(), &right)?;
+        for column in free {
+            for (row, factor) in rows.iter().zip(&factors) {
+                numbers[*other][*column] -= factor * numbers[*row][*column];
+            }
+        }
+    }
+    Some(())
+}
+
+fn determinant(numbers: &[Vec<f64>], rows: &[usize], columns: &[usize]) -> f64 {
+    let Some((first, rest)) = rows.split_first() else { return 1.0 };
+    let term = |at: usize| {
+        let others: Vec<usize> = columns.iter().copied().filter(|column| *column != columns[at]).collect();
+        let sign = if at.is_multiple_of(2) { 1.0 } else { -1.0 };
+        sign * numbers[*first][columns[at]] * determinant(numbers, rest, &others)
+    };
+    (0..columns.len()).map(term).sum()
 }
 
 /// All ways to take so many of some columns, each in ascending order.

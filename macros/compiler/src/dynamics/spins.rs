@@ -21,6 +21,9 @@ use crate::numeric::Numeric;
 use crate::quantity::{Axis, Role};
 use crate::system::{Along, EquationsBySpins, QuaternionSpin};
 
+/// Quaternions of orientations, other ones for each body by exchange of their components: in each, no direction is near an axis of another.
+const ORIENTATIONS: [[f64; 4]; 3] = [[0.1, 0.5, 0.7, 0.5], [0.5, 0.7, -0.5, 0.1], [0.7, -0.1, 0.5, -0.5]];
+
 /// Equations of motion by ω.
 #[derive(Clone, Debug)]
 pub(super) struct BySpins {
@@ -81,21 +84,34 @@ impl BySpins {
     ) -> Option<Accelerations> {
         let zero = arena.integer(0);
         let scales: Vec<f64> = self.speeds.iter().map(|speed| self.scale(numeric, *speed)).collect();
-        let zeros = vec![0.0; numeric.system.coordinates.len()];
-        let known = Values { coordinates: &assembly.start, speeds: &zeros, accelerations: &zeros, ..numeric.known };
-        let scaled =
-            |row: &MotionRow| evaluate(arena, &row.jacobian, &known).iter().zip(&scales).map(|(entry, scale)| entry * scale).collect();
-        let numbers: Vec<Vec<f64>> = self.rows.iter().map(scaled).collect();
+        let numbers = self.numbers(arena, numeric, (&assembly.start, &scales));
+        let elsewhere = ORIENTATIONS.map(|orientation| {
+            let mut coordinates = assembly.start.clone();
+            for (number, spin) in self.quaternions.iter().enumerate() {
+                let turned = |k: usize| orientation[(k + number) % orientation.len()];
+                (0..4).for_each(|k| coordinates[spin.first + k] = turned(k));
+            }
+            self.numbers(arena, numeric, (&coordinates, &scales))
+        });
         let joints: Vec<usize> = self.rows.iter().map(|row| row.of.0).collect();
         let (freedoms, triples) = (freedoms(&self.initial, zero), self.triples(numeric));
         let is_zero = |row: usize, column: usize| self.rows[row].jacobian[column] == zero;
         let columns = Grouping { joints: &joints, freedoms: &freedoms, triples: &triples };
-        let order = OpenRows::new(&numbers, is_zero, columns, Trust::OF_SPINS).order()?;
+        let order = OpenRows::new(&numbers, is_zero, columns, Trust::OF_SPINS).also_in(elsewhere.to_vec()).order()?;
         let lengths: Vec<Expr> = scales.into_iter().map(|scale| power_of_two(arena, scale)).collect();
         let in_general = in_general(arena, &self.rows, redundant, numeric.size);
         let found =
             elimination::accelerations(arena, (&self.rows, &self.mass, &self.forces), &order, &lengths, (Trust::OF_SPINS, in_general));
         Some(self.by_coordinates(arena, integrated, found))
+    }
+
+    /// J at these coordinates, in comparable units.
+    fn numbers(&self, arena: &Arena, numeric: &Numeric, (coordinates, scales): (&[f64], &[f64])) -> Vec<Vec<f64>> {
+        let zeros = vec![0.0; coordinates.len()];
+        let known = Values { coordinates, speeds: &zeros, accelerations: &zeros, ..numeric.known };
+        let scaled =
+            |row: &MotionRow| evaluate(arena, &row.jacobian, &known).iter().zip(scales).map(|(entry, scale)| entry * scale).collect();
+        self.rows.iter().map(scaled).collect()
     }
 
     /// Scale of a speed, in m or rad.
