@@ -166,7 +166,9 @@ pub(super) fn integrate_again(model: &Model, arena: &mut Arena, coordinates: &[C
 /// Value of each coordinate at t = 0: what an equation of it alone demands, as that of a drive, or its declared start.
 fn starts(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], rows: &[Row]) -> Vec<Option<Expr>> {
     let mut starts: Vec<Option<Expr>> = coordinates.iter().map(|coordinate| coordinate.start).collect();
-    let is_from_start = |row: &Row| model.joints[row.joint].freedom.is_some_and(|freedom| freedom.is_from_start);
+    // Rows of norms belong to no joint.
+    let freedom = |row: &Row| model.joints.get(row.joint).and_then(|joint| joint.freedom);
+    let is_from_start = |row: &Row| freedom(row).is_some_and(|freedom| freedom.is_from_start);
     for row in rows.iter().filter(|row| !row.is_velocity && !is_from_start(row)) {
         let residual = arena.plain(row.residual, &mut Lookup::default());
         let [number] = coordinates_in(arena, residual)[..] else { continue };
@@ -181,8 +183,9 @@ fn starts(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], rows: &[
         let rest = at_start.of(arena, residual);
         let value = arena.mul(slope, rest);
         let is_called = |expr: &Expr| matches!(arena.node(*expr), Node::Call { .. });
-        if is_fixed(arena, value) && !arena.reachable(&[value]).iter().any(is_called) {
-            starts[number] = Some(arena.neg(value));
+        let is_known = is_fixed(arena, value) && !arena.reachable(&[value]).iter().any(is_called);
+        if let Some(start) = starts.get_mut(number).filter(|_| is_known) {
+            *start = Some(arena.neg(value));
         }
     }
     starts
