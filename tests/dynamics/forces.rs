@@ -275,7 +275,7 @@ mechanism! {
         slice force friction = torsion_damper(ground, fast, 0.05Nms_rad);
         slice force clutch = torsion_damper(fast, slow, damping: 0.2Nms);
         freedom spin = fast.angle from 0 at 20rad_s;
-        freedom drag = slow.angle from 0 at -3rad_s;
+        freedom drag = slow.angle - 30deg from -30deg at -3rad_s;
     }
 }
 

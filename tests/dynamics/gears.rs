@@ -2,7 +2,7 @@
 
 use super::space::{FloatingGears, GearsOnGround};
 use reuleaux::nalgebra::{Matrix3, Vector3};
-use reuleaux::{SpatialBody, SpatialLoad, mechanism};
+use reuleaux::{Integrator, SpatialBody, SpatialLoad, constraint, mechanism};
 
 mechanism! {
     /// Wheels on shafts of their own, a belt, a planetary train, a differential and a rack; every wheel has its centre of mass on its shaft.
@@ -112,4 +112,69 @@ fn every_node_of_a_gear_joint_gets_the_load_that_moves_it() {
     let first = off(&state.n1(), (0.8, of_n1), loads.gears_on_n1(), motor);
     let second = off(&state.n2(), (1.1, of_n2), loads.gears_on_n2(), load);
     assert!(first < 1e-13 && second < 1e-13, "{first:e} {second:e}");
+}
+
+constraint! {
+    /// A rope from P through a ring at F to Q.
+    pub constraint rope(P: Point, F: Point, Q: Point, length: Length) {
+        norm(P - F) + norm(Q - F) == length;
+    }
+}
+
+mechanism! {
+    /// Two weights on a rope over a pulley. At the start its ends are in line, and only there are its forces opposite.
+    mechanism Hoist {
+        use crate::gears::rope;
+        gravity = (0, -9.81m_s2);
+        body left  { mass = 2kg;  start position = (-1m, 0m); }
+        body right { mass = 3kg;  start position = (1m, 0m); }
+        joint upright = absolute_angle(left, 0);
+        joint straight = absolute_angle(right, 0);
+        joint line = rope(left.position, (0m, 0m), right.position, 2m);
+        drive across = drive_x(left.position, -1m + 0.1m_s * t);
+        drive along = drive_y(left.position, -0.5m_s * t);
+        drive height = drive_y(right.position, -0.7m_s * t);
+    }
+}
+
+mechanism! {
+    /// Two weights on a rope through a ring, let go with both ends in line.
+    mechanism Swung in space {
+        use crate::gears::rope;
+        gravity = (0, 0, -9.81m_s2);
+        ground { axis z = (0, 0, 1); }
+        body left  { axis z = (0, 0, 1);  mass = 2kg; }
+        body right { axis z = (0, 0, 1);  mass = 3kg;  start position = (1m, 0m, 0m); }
+        joint upright = absolute_orientation(ground.z, left.z);
+        joint straight = absolute_orientation(ground.z, right.z);
+        joint line = rope(left.position, (0m, 0m, 0m), right.position, 2m);
+        freedom x = left.position.x from -1m;
+        freedom y = left.position.y from 0m;
+        freedom z = left.position.z from 0m;
+        freedom aside = right.position.y from 0m;
+        freedom height = right.position.z from 0m;
+    }
+}
+
+/// Newton's law of each weight, at poses where the ends of the rope are not in line.
+#[test]
+fn both_ends_of_a_rope_get_a_load_though_they_begin_in_line() {
+    let hoist = Hoist::default();
+    for time in [0.0, 0.3, 0.8] {
+        let state = hoist.solve(time).expect("a state");
+        let loads = hoist.loads(&state);
+        let [left, right] = [state.left().position, state.right().position].map(|place| -place.normalize());
+        // Nothing else pushes the right weight across.
+        let tension = 3.0 * state.right().acceleration.x / right.x;
+        assert!((loads.line().force - right * tension).norm() < 1e-13 && (loads.line_on_left().force - left * tension).norm() < 1e-13);
+    }
+    let swung = Swung::default();
+    let mut state = swung.initial_state().expect("a state");
+    let mut integrator = Integrator::new(1e-10);
+    for time in [0.0, 0.1, 0.25] {
+        swung.advance(&mut state, time, &mut integrator).expect("it moves");
+        let (loads, gravity) = (swung.loads(&state), Vector3::new(0.0, 0.0, -9.81));
+        let (left, right) = ((state.left().acceleration - gravity) * 2.0, (state.right().acceleration - gravity) * 3.0);
+        assert!((loads.line_on_left().force - left).norm() < 1e-12 && (loads.line().force - right).norm() < 1e-12);
+    }
 }

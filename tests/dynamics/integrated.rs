@@ -194,6 +194,64 @@ fn a_kept_equation_of_velocities_is_integrated_within_the_tolerance_over_a_hundr
 }
 
 mechanism! {
+    /// A drum winds up a rope that lifts the tip of an arm at the speed of its rim.
+    pub(crate) mechanism Lifted {
+        param radius: Length = 300mm;
+        body arm { point tip = (0.8m, 0.6m);  start angle = 20deg; }
+        body drum { }
+        joint pivot = revolute(ground.position, arm.position);
+        joint axle = revolute((2m, 0m), drum.position);
+        joint rope = { rate(arm.tip.y) == radius * drum.angular_velocity; }
+        drive motor = drive_angle(drum, 0.5rad_s * t);
+    }
+}
+
+/// The tip of an arm of 1 m is at the height sin(φ + β), tan β = 3/4.
+#[test]
+fn a_point_of_a_body_that_turns_is_moved_at_a_given_rate_without_drift() {
+    let lifted = Lifted::default();
+    let beta = 0.6_f64.asin();
+    for t in [0.0, 0.4, 0.9] {
+        let height = (20_f64.to_radians() + beta).sin() + 0.3 * 0.5 * t;
+        let angle = height.asin() - beta;
+        let rate = 0.15 / (angle + beta).cos();
+        let arm = lifted.solve(t).unwrap().arm();
+        assert!((arm.angle - angle).abs() < 1e-14 && (arm.angular_velocity - rate).abs() < 1e-14, "{arm:?} at {t} s");
+    }
+}
+
+mechanism! {
+    /// Wheels that are told how fast to turn against a slide and a wheel, which begin where their drives have them.
+    mechanism Begun {
+        param first: Angle = 40deg;
+        body driver { }
+        body driven { start angle = 30deg; }
+        body slide { }
+        body pinion { start angle = -20deg; }
+        joint one = revolute(ground.position, driver.position);
+        joint two = revolute((100mm, 0mm), driven.position);
+        joint three = revolute((200mm, 0mm), pinion.position);
+        joint rail = translational((1, 0), (500mm, 200mm), slide.position);
+        joint mesh = { driven.angular_velocity == -2 * driver.angular_velocity; }
+        joint rack = { 100mm * pinion.angular_velocity == rate(slide.x); }
+        drive motor = drive_angle(driver, first + 60rpm * t);
+        drive push = drive_x(slide.position, 300mm + 100mm_s * t);
+    }
+}
+
+#[test]
+fn equations_of_rates_begin_where_drives_have_what_they_move() {
+    for first in [40_f64.to_radians(), 0.9] {
+        let begun = Begun { first };
+        for t in [0.0, 0.3] {
+            let state = begun.solve(t).unwrap();
+            assert!((state.driven().angle - (PI / 6.0 - 2.0 * TAU * t)).abs() < 1e-14, "{} at {t} s", state.driven().angle);
+            assert!((state.pinion().angle - (-PI / 9.0 + t)).abs() < 1e-14, "{} at {t} s", state.pinion().angle);
+        }
+    }
+}
+
+mechanism! {
     /// A four-bar in space of which the crank's rate is given. Its rocker is declared near its place only.
     mechanism Roughly in space {
         ground { axis z = (0, 0, 1);  point C = (400mm, 0mm, 0mm); }

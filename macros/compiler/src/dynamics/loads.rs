@@ -60,7 +60,7 @@ pub(crate) fn loads(model: &Model, system: &System, structure: &Structure, assem
     let equations = system.loads.as_ref().filter(|_| model.task.is_determined())?;
     let mut arena = system.arena.clone();
     let is_square = equations.rows.len() == equations.forces.len() && structure.checked.is_empty() && assembly.is_closed;
-    let shares = at_defaults(model, system, |numeric| shares(numeric, &mut arena, assembly, equations));
+    let shares = at_defaults(model, system, |numeric| shares(numeric, structure, &mut arena, assembly, equations));
     let closed = is_square.then(|| {
         at_defaults(model, system, |numeric| {
             let numbers = numbers(numeric, &mut arena, assembly, equations);
@@ -157,14 +157,19 @@ fn numbers(numeric: &Numeric, arena: &mut Arena, assembly: &Assembly, equations:
     places.zip(evaluate(arena, &entries, &Values { coordinates: &state, ..numeric.known })).collect()
 }
 
-/// The entries of a state where the mechanism is assembled: unknowns, and in space rotation matrices behind them.
+/// The entries of a state where the mechanism is assembled.
 pub(super) fn state_at_start(numeric: &Numeric, arena: &mut Arena, assembly: &Assembly) -> Vec<f64> {
+    state_at(numeric, arena, &assembly.start)
+}
+
+/// The entries of a state: unknowns, and in space rotation matrices behind them.
+pub(super) fn state_at(numeric: &Numeric, arena: &mut Arena, q: &[f64]) -> Vec<f64> {
     let system = numeric.system;
     let orientations = (0..system.frames.len()).flat_map(|body| system.orientation(arena, body)).map(|[value, _, _]| value);
     let orientations: Vec<Expr> = orientations.collect();
-    let at_start = Values { coordinates: &assembly.start, ..numeric.known };
-    let mut state = assembly.start.clone();
-    state.extend(evaluate(arena, &orientations, &at_start));
+    let there = Values { coordinates: q, ..numeric.known };
+    let mut state = q.to_vec();
+    state.extend(evaluate(arena, &orientations, &there));
     state
 }
 

@@ -4,12 +4,15 @@
 //! their moments about one point are opposite. Equations between more bodies, or between the angles of bodies against ground, need the load
 //! on each.
 
-use super::loads::state_at_start;
+use super::loads::state_at;
 use crate::assembly::Assembly;
 use crate::expr::{Arena, Values, evaluate};
+use crate::library;
 use crate::model::Model;
 use crate::numeric::Numeric;
 use crate::quantity::Ambient;
+use crate::redundancy::subsystems;
+use crate::structure::Structure;
 use crate::system::{LoadEquations, LoadRow};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -17,21 +20,47 @@ use std::collections::{BTreeMap, BTreeSet};
 const ROUNDING: f64 = 1e-9;
 
 /// By joint, the bodies with loads of their own beside the one on which the load of the joint is stated.
-pub(super) fn shares(numeric: &Numeric, arena: &mut Arena, assembly: &Assembly, equations: &LoadEquations) -> BTreeMap<usize, Vec<usize>> {
-    let (model, state) = (numeric.model, state_at_start(numeric, arena, assembly));
-    let known = Values { coordinates: &state, ..numeric.known };
+///
+/// Joints of the library do or do not have opposite loads at every pose. Those of a definition may have them at some: of a rope over a pulley,
+/// while its ends are in line.
+pub(super) fn shares(
+    numeric: &Numeric,
+    structure: &Structure,
+    arena: &mut Arena,
+    assembly: &Assembly,
+    equations: &LoadEquations,
+) -> BTreeMap<usize, Vec<usize>> {
+    let model = numeric.model;
+    let start = state_at(numeric, arena, &assembly.start);
+    let mut elsewhere = None;
     let mut shares = BTreeMap::new();
     for (index, joint) in model.joints.iter().enumerate().filter(|(_, joint)| joint.freedom.is_none() && !joint.is_drive) {
         let Some((stated, _)) = equations.arms[index].as_ref().filter(|_| !joint.residuals.is_empty()) else { continue };
-        let own = || equations.rows.iter().filter(|row| row.joint == index);
-        let speeds = own().flat_map(|row| row.jacobian.iter().map(|(speed, _)| *speed));
+        let own: Vec<&LoadRow> = equations.rows.iter().filter(|row| row.joint == index).collect();
+        let speeds = own.iter().flat_map(|row| row.jacobian.iter().map(|(speed, _)| *speed));
         let bodies: BTreeSet<usize> = speeds.map(|speed| model.ambient.body_of(speed)).collect();
-        let are_opposite = bodies.len() < 2 || bodies.len() == 2 && own().all(|row| is_balanced(model, arena, row, &known));
+        let is_balanced = |arena: &Arena, state: &Vec<f64>| {
+            let known = Values { coordinates: state, ..numeric.known };
+            own.iter().all(|row| is_balanced(model, arena, row, &known))
+        };
+        let is_of_library = || library::constraints(model.ambient).any(|known| known == joint.kind);
+        let mut are_opposite = bodies.len() < 2 || bodies.len() == 2 && is_balanced(arena, &start);
+        if bodies.len() == 2 && are_opposite && !is_of_library() {
+            let states = elsewhere.get_or_insert_with(|| reached(numeric, structure, arena, assembly));
+            are_opposite = states.iter().all(|state| is_balanced(arena, state));
+        }
         if !are_opposite {
             shares.insert(index, bodies.into_iter().filter(|body| body != stated).collect());
         }
     }
     shares
+}
+
+/// States at poses that the mechanism reaches from its start.
+fn reached(numeric: &Numeric, structure: &Structure, arena: &mut Arena, assembly: &Assembly) -> Vec<Vec<f64>> {
+    let leaves_out = |equation: usize| structure.checked.contains(&equation);
+    let samples = numeric.samples(&subsystems(numeric.system, structure), &assembly.start, leaves_out);
+    samples.poses.iter().map(|pose| state_at(numeric, arena, &pose.q)).collect()
 }
 
 /// The forces of a row have no sum, and no moment.

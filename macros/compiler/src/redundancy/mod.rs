@@ -124,7 +124,7 @@ pub(crate) fn drives_have_something_to_drive(
 }
 
 /// The solved equations: of a small system all together, of a large one block by block.
-fn subsystems(system: &System, structure: &Structure) -> Vec<Subsystem> {
+pub(crate) fn subsystems(system: &System, structure: &Structure) -> Vec<Subsystem> {
     let subsystem = |block: &Block| Subsystem {
         unknowns: block.explicit.iter().map(|explicit| explicit.unknown).chain(block.iterated.iter().copied()).collect(),
         equations: block.explicit.iter().map(|explicit| explicit.equation).chain(block.residuals.iter().copied()).collect(),

@@ -236,8 +236,8 @@ fn is_unit(input: ParseStream) -> bool {
             || ahead.peek(Token![%])
             || ahead.peek(Token![..])
     };
-    // `from 0 at -3rad_s`
-    ahead.parse::<Ident>().is_ok_and(|word| word != "at") && is_end(&ahead)
+    // `a - 30deg from -5deg`, `from 0 at -3rad_s`
+    ahead.parse::<Ident>().is_ok_and(|word| word != "at" && word != "from") && is_end(&ahead)
 }
 
 fn literal_kind(literal: &Lit) -> &'static str {

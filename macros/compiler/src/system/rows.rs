@@ -7,7 +7,7 @@
 
 use super::{Coordinate, Equation, Level};
 use crate::diag::{Diag, NoPosition, SystemFact};
-use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Lookup, Seed, Substitution, derivative};
+use crate::expr::{Arena, Binary, Derivatives, Expr, Jets, Leaf, Lookup, Node, Seed, Substitution, Unary, derivative};
 use crate::model::{Model, Said};
 use crate::quantity::Dim;
 use crate::syntax::ast::Task;
@@ -120,10 +120,11 @@ fn affine(arena: &mut Arena, residual: Expr) -> (Vec<(u32, Expr)>, Expr) {
 /// Replaces rows of velocities by the rows of positions of which they are the rates, and refuses the others if they have to be solved.
 pub(super) fn integrate(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], rows: &mut [Row], diag: &mut Diag) {
     kept_joints_have_velocities(model, diag);
+    let starts = starts(model, arena, coordinates, rows);
     let mut said = Said::default();
     for row in rows.iter_mut().filter(|row| row.is_velocity && !row.is_initial) {
         let joint = &model.joints[row.joint];
-        let obstacle = match integral(arena, coordinates, row.residual) {
+        let obstacle = match integral(arena, &starts, row.residual) {
             Ok(_) if joint.velocity.is_some() => NoPosition::Kept,
             Ok(phi) => {
                 (row.residual, row.is_velocity) = (phi, false);
@@ -150,15 +151,55 @@ fn kept_joints_have_velocities(model: &Model, diag: &mut Diag) {
 /// Replaces rows of velocities where it has been done already.
 ///
 /// * `at_level`: given, for each row whether it is still one of velocities.
-pub(super) fn integrate_again(arena: &mut Arena, coordinates: &[Coordinate], rows: &mut [Row], at_level: &[bool]) {
+pub(super) fn integrate_again(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], rows: &mut [Row], at_level: &[bool]) {
+    let starts = starts(model, arena, coordinates, rows);
     for (row, is_velocity) in rows.iter_mut().zip(at_level) {
         if row.is_velocity
             && !is_velocity
-            && let Ok(phi) = integral(arena, coordinates, row.residual)
+            && let Ok(phi) = integral(arena, &starts, row.residual)
         {
             (row.residual, row.is_velocity) = (phi, false);
         }
     }
+}
+
+/// Value of each coordinate at t = 0: what an equation of it alone demands, as that of a drive, or its declared start.
+fn starts(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], rows: &[Row]) -> Vec<Option<Expr>> {
+    let mut starts: Vec<Option<Expr>> = coordinates.iter().map(|coordinate| coordinate.start).collect();
+    // Rows of norms belong to no joint.
+    let freedom = |row: &Row| model.joints.get(row.joint).and_then(|joint| joint.freedom);
+    let is_from_start = |row: &Row| freedom(row).is_some_and(|freedom| freedom.is_from_start);
+    for row in rows.iter().filter(|row| !row.is_velocity && !is_from_start(row)) {
+        let residual = arena.plain(row.residual, &mut Lookup::default());
+        let [number] = coordinates_in(arena, residual)[..] else { continue };
+        let own = Leaf::Coordinate(number as u32);
+        let slope = derivative(arena, residual, own);
+        if arena.as_constant(slope).is_none_or(|slope| slope.to_f64().abs() != 1.0) {
+            continue;
+        }
+        let mut at_start = at_start(model, arena);
+        let zero = arena.integer(0);
+        at_start.replace(own, zero);
+        let rest = at_start.of(arena, residual);
+        let value = arena.mul(slope, rest);
+        let is_called = |expr: &Expr| matches!(arena.node(*expr), Node::Call { .. });
+        let is_known = arena.is_fixed(value) && !arena.reachable(&[value]).iter().any(is_called);
+        if let Some(start) = starts.get_mut(number).filter(|_| is_known) {
+            *start = Some(arena.neg(value));
+        }
+    }
+    starts
+}
+
+/// Replaces time and inputs by their values at the start.
+fn at_start(model: &Model, arena: &mut Arena) -> Substitution {
+    let mut at_start = Substitution::new();
+    let zero = arena.integer(0);
+    at_start.replace(Leaf::Time, zero);
+    for (number, order, default) in model.inputs() {
+        at_start.replace(Leaf::Input { number, order }, default);
+    }
+    at_start
 }
 
 /// Lets freedoms of which no initial value is declared begin at the declared start.
@@ -166,12 +207,8 @@ pub(super) fn begin_at_start(model: &Model, arena: &mut Arena, coordinates: &[Co
     if model.task != Task::Motion {
         return;
     }
-    let mut at_start = Substitution::new();
+    let mut at_start = at_start(model, arena);
     let zero = arena.integer(0);
-    at_start.replace(Leaf::Time, zero);
-    for (number, order, default) in model.inputs() {
-        at_start.replace(Leaf::Input { number, order }, default);
-    }
     for (number, coordinate) in coordinates.iter().enumerate() {
         at_start.replace(Leaf::Coordinate(number as u32), coordinate.start.unwrap_or(zero));
     }
@@ -184,25 +221,68 @@ pub(super) fn begin_at_start(model: &Model, arena: &mut Arena, coordinates: &[Co
     }
 }
 
-/// Σ a (q − q₀) − b t of a row of velocities a · u = b with constant factors; q₀ are the declared start values.
-fn integral(arena: &mut Arena, coordinates: &[Coordinate], residual: Expr) -> Result<Expr, NoPosition> {
+/// Σ A(q) − A(q₀) − b t of a row of velocities a · u = b whose factors are derivatives of A.
+///
+/// * `starts`: given, q₀; zero where there is none.
+fn integral(arena: &mut Arena, starts: &[Option<Expr>], residual: Expr) -> Result<Expr, NoPosition> {
     let residual = arena.plain(residual, &mut Lookup::default());
     let (factors, side) = affine(arena, residual);
-    if !factors.iter().all(|(_, factor)| arena.is_fixed(*factor)) {
-        return Err(NoPosition::Factors);
+    let mut changes = Vec::new();
+    for (number, factor) in factors {
+        let start = *starts.get(number as usize).ok_or(NoPosition::Factors)?;
+        changes.push(change(arena, number, factor, start).ok_or(NoPosition::Factors)?);
     }
     if !arena.is_fixed(side) {
         return Err(NoPosition::Side);
     }
     let time = arena.leaf(Leaf::Time);
     let way = arena.mul(side, time);
-    let mut phi = arena.neg(way);
-    for (number, factor) in factors {
-        let q = arena.leaf(Leaf::Coordinate(number));
-        let start = coordinates.get(number as usize).ok_or(NoPosition::Factors)?.start;
-        let change = start.map_or(q, |start| arena.sub(q, start));
-        let term = arena.mul(factor, change);
-        phi = arena.add(phi, term);
+    let phi = arena.neg(way);
+    Ok(changes.into_iter().fold(phi, |phi, change| arena.add(phi, change)))
+}
+
+/// A(q) − A(q₀)
+fn change(arena: &mut Arena, number: u32, factor: Expr, start: Option<Expr>) -> Option<Expr> {
+    let q = arena.leaf(Leaf::Coordinate(number));
+    if arena.is_fixed(factor) {
+        let way = start.map_or(q, |start| arena.sub(q, start));
+        return Some(arena.mul(factor, way));
     }
-    Ok(phi)
+    let there = antiderivative(arena, number, factor)?;
+    let mut at_start = Substitution::new();
+    let zero = arena.integer(0);
+    at_start.replace(Leaf::Coordinate(number), start.unwrap_or(zero));
+    let begun = at_start.of(arena, there);
+    Some(arena.sub(there, begun))
+}
+
+/// A(q) with dA/dq = a(q), for a sum of fixed terms and of fixed multiples of sines and cosines, as of a point of a body that turns by q.
+fn antiderivative(arena: &mut Arena, number: u32, factor: Expr) -> Option<Expr> {
+    if arena.is_fixed(factor) {
+        let q = arena.leaf(Leaf::Coordinate(number));
+        return Some(arena.mul(factor, q));
+    }
+    let node = *arena.node(factor);
+    if let Node::Binary(Binary::Add | Binary::Sub, a, b) = node {
+        let (a, b) = (antiderivative(arena, number, a)?, antiderivative(arena, number, b)?);
+        return Some(if matches!(node, Node::Binary(Binary::Add, ..)) { arena.add(a, b) } else { arena.sub(a, b) });
+    }
+    match node {
+        Node::Unary(Unary::Neg, a) => antiderivative(arena, number, a).map(|a| arena.neg(a)),
+        Node::Binary(Binary::Mul, a, b) if arena.is_fixed(a) => antiderivative(arena, number, b).map(|b| arena.mul(a, b)),
+        Node::Binary(Binary::Mul, a, b) if arena.is_fixed(b) => antiderivative(arena, number, a).map(|a| arena.mul(a, b)),
+        Node::Binary(Binary::Div, a, b) if arena.is_fixed(b) => antiderivative(arena, number, a).map(|a| arena.div(a, b)),
+        Node::Unary(function @ (Unary::Sin | Unary::Cos), a) => {
+            let own = Leaf::Coordinate(number);
+            let is_of_own = arena.leaves(a).into_iter().all(|leaf| leaf == own || matches!(leaf, Leaf::Parameter(_)));
+            let slope = derivative(arena, a, own);
+            if !is_of_own || arena.as_constant(slope).is_none_or(|slope| slope.is_zero()) {
+                return None;
+            }
+            let area = if function == Unary::Cos { arena.sin(a) } else { arena.cos(a) };
+            let area = if function == Unary::Cos { area } else { arena.neg(area) };
+            Some(arena.div(area, slope))
+        }
+        _ => None,
+    }
 }

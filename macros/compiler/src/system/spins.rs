@@ -60,7 +60,7 @@ impl Along {
 pub(super) fn equations(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], at_level: &[bool]) -> EquationsBySpins {
     // Outputs and loads are rewritten once more, since angles that they alone name are unknowns with numbers, too.
     let Choice { mut rows, balance, frames, .. } = forest::reduce(model, arena, FreeSpeeds::Spin);
-    rows::integrate_again(arena, coordinates, &mut rows, at_level);
+    rows::integrate_again(model, arena, coordinates, &mut rows, at_level);
     let (of_speeds, rows): (Vec<Row>, Vec<Row>) = rows.into_iter().partition(|row| row.is_velocity);
     let columns = (0..coordinates.len() as u32).map(Leaf::Coordinate);
     let mut derivatives = Differentiation::new(columns, Seed::constant_speeds(rates(coordinates.len())), 0);
