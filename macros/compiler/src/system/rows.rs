@@ -163,9 +163,13 @@ pub(super) fn integrate_again(model: &Model, arena: &mut Arena, coordinates: &[C
     }
 }
 
-/// Value of each coordinate at t = 0: what an equation of it alone demands, as that of a drive, or its declared start.
+/// Value of each coordinate at t = 0: what an equation of it alone demands, as that of a drive, or its declared start. Only equations between
+/// speeds ask for it.
 fn starts(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], rows: &[Row]) -> Vec<Option<Expr>> {
     let mut starts: Vec<Option<Expr>> = coordinates.iter().map(|coordinate| coordinate.start).collect();
+    if !rows.iter().any(|row| row.is_velocity) {
+        return starts;
+    }
     // Rows of norms belong to no joint.
     let freedom = |row: &Row| model.joints.get(row.joint).and_then(|joint| joint.freedom);
     let is_from_start = |row: &Row| freedom(row).is_some_and(|freedom| freedom.is_from_start);
