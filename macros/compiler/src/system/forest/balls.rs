@@ -5,7 +5,7 @@
 
 use super::Forest;
 use crate::expr::{Expr, Leaf, Mark, Node, Spin, SpinAxes};
-use crate::model::{DECLARED, declared_angular};
+use crate::model::declared_angular;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
@@ -40,7 +40,8 @@ impl Forest<'_> {
     fn axes_in(&self, equation: Expr, body: usize) -> Vec<SpinAxes> {
         let whole = |node: &Node| matches!(node, Node::Marked { mark: Mark::Turned { .. }, .. });
         let nodes = self.model.arena.reachable_above(&[equation], whole);
-        let is_turning = |expr: &Expr| matches!(self.model.arena.node(*expr), Node::Leaf(Leaf::Speed(number)) if *number >= DECLARED && declared_angular(body).contains(number));
+        let own = declared_angular(body);
+        let is_turning = |expr: &Expr| matches!(self.model.arena.node(*expr), Node::Leaf(Leaf::Speed(number)) if own.contains(number));
         if !nodes.iter().any(is_turning) {
             return Vec::new();
         }
