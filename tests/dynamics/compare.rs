@@ -55,7 +55,7 @@ macro_rules! motion {
                     let loads = mechanism.accelerate_with_loads(&mut at_once).unwrap_or_else(|stopped| panic!("{stopped}"));
                     mechanism.accelerate(&mut apart).unwrap_or_else(|stopped| panic!("{stopped}"));
                     assert_eq!((loads, at_once), (mechanism.loads(&apart), apart.clone()));
-                    // A state that was touched is completed before.
+                    // A state that counts as changed.
                     let mut touched = state.clone();
                     touched.0.qd *= 1.0;
                     let loads = mechanism.accelerate_with_loads(&mut touched).unwrap_or_else(|stopped| panic!("{stopped}"));

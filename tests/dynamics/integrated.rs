@@ -279,3 +279,28 @@ fn a_declared_start_that_does_not_close_only_leads_to_an_assembly() {
     assert!((mechanism.rocker_angle(&state).value - right).abs() < 1e-12);
     assert!((state.crank().angular_velocity.z - 20.0).abs() < 1e-12);
 }
+
+mechanism! {
+    /// A wheel on an arm, driven against it, which tells another wheel how fast to turn.
+    mechanism Carried {
+        body arm { point E = (400mm, 0mm); }
+        body wheel { }
+        body driven { start angle = 30deg; }
+        joint one = revolute(ground.position, arm.position);
+        joint two = revolute(arm.E, wheel.position);
+        joint three = revolute((1m, 0m), driven.position);
+        joint mesh = { driven.angular_velocity == -2 * wheel.angular_velocity; }
+        drive swing = drive_angle(arm, 10deg);
+        drive motor = drive_relative_angle(arm, wheel, 40deg + 60rpm * t);
+    }
+}
+
+#[test]
+fn rates_begin_where_one_drive_has_a_body_against_another() {
+    let carried = Carried::default();
+    for t in [0.0, 0.3] {
+        let state = carried.solve(t).unwrap();
+        assert!((state.wheel().angle - (50_f64.to_radians() + TAU * t)).abs() < 1e-14);
+        assert!((state.driven().angle - (30_f64.to_radians() - 2.0 * TAU * t)).abs() < 1e-14, "{:?}", state.driven());
+    }
+}

@@ -507,9 +507,12 @@ mechanism! {
 fn accelerations_and_loads_are_those_of_other_parameters_and_speeds() {
     let short = Rods::default();
     let mut state = short.initial_state().unwrap();
-    for (length, speed) in [(0.5, 2.0), (1.5, 2.0), (1.5, -3.0)] {
+    // Other parameters alone, other speeds alone, and both.
+    for (length, speed, is_touched) in [(0.5, 2.0, false), (1.5, 2.0, false), (1.5, -3.0, true), (0.8, 4.0, true)] {
         let rods = Rods { length, speed: 2.0 };
-        state.0.qd[2] = speed;
+        if is_touched {
+            state.0.qd[2] = speed;
+        }
         let loads = rods.accelerate_with_loads(&mut state).unwrap();
         let radius = length + 0.5;
         let lower = state.lower();

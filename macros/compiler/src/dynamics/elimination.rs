@@ -147,9 +147,9 @@ impl<'a> SparseRows<'a> {
         self.arena.add(size, least)
     }
 
-    /// Eliminates the columns of a block from the rows that are left; returns its determinant and the number that the size of this has to
-    /// exceed, of a block with one entry in each row and column its entries and a number for each. A constant block whose columns occur in no
-    /// other row is as good in all poses.
+    /// Eliminates the columns of a block from the rows that are left. Returns the checked numbers, each with the number that its size has to
+    /// exceed: the determinant, or the entries themselves if each row and column has only one. A constant block whose columns occur in no other
+    /// row that is left needs no check.
     pub(super) fn eliminate(&mut self, block: &PivotBlock, lengths: &[Expr]) -> Vec<[Expr; 2]> {
         let PivotBlock { rows, columns } = block;
         let zero = self.arena.integer(0);

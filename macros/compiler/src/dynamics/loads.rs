@@ -159,15 +159,15 @@ fn numbers(numeric: &Numeric, arena: &mut Arena, assembly: &Assembly, equations:
 
 /// The entries of a state where the mechanism is assembled.
 pub(super) fn state_at_start(numeric: &Numeric, arena: &mut Arena, assembly: &Assembly) -> Vec<f64> {
-    state_at(numeric, arena, &assembly.start)
+    state_at(numeric, arena, numeric.known.time, &assembly.start)
 }
 
-/// The entries of a state: unknowns, and in space rotation matrices behind them.
-pub(super) fn state_at(numeric: &Numeric, arena: &mut Arena, q: &[f64]) -> Vec<f64> {
+/// The entries of a state at a time: unknowns, and in space rotation matrices behind them.
+pub(super) fn state_at(numeric: &Numeric, arena: &mut Arena, time: f64, q: &[f64]) -> Vec<f64> {
     let system = numeric.system;
     let orientations = (0..system.frames.len()).flat_map(|body| system.orientation(arena, body)).map(|[value, _, _]| value);
     let orientations: Vec<Expr> = orientations.collect();
-    let there = Values { coordinates: q, ..numeric.known };
+    let there = Values { time, coordinates: q, ..numeric.known };
     let mut state = q.to_vec();
     state.extend(evaluate(arena, &orientations, &there));
     state

@@ -7,6 +7,7 @@
 use super::cofactors::BY_COFACTORS;
 use super::trust::Trust;
 use crate::linear::dense;
+use std::collections::BTreeMap;
 
 /// A pivot or a determinant has at least this fraction of the largest one in its rows, so that it stays trusted for long.
 const STEADY: f64 = 0.2;
@@ -81,12 +82,14 @@ impl<'a> OpenRows<'a> {
     pub(super) fn order(mut self) -> Option<Vec<PivotBlock>> {
         let mut blocks = Vec::new();
         while !self.open.is_empty() {
-            let mut candidates: Vec<(Rank, PivotBlock)> =
-                self.groups().iter().flat_map(|rows| self.candidates(rows, &self.numbers)).collect();
+            let mut candidates: Vec<(Rank, PivotBlock)> = self.groups().iter().flat_map(|rows| self.candidates(rows)).collect();
             candidates.sort_unstable();
-            let is_steady_in =
-                |numbers: &[Vec<f64>], block: &PivotBlock| self.candidates(&block.rows, numbers).iter().any(|(_, other)| other == block);
-            let is_steady = |block: &PivotBlock| self.elsewhere.iter().all(|numbers| is_steady_in(numbers, block));
+            // Columns that are steady in all other poses, by rows.
+            let mut steady: BTreeMap<Vec<usize>, Vec<Vec<usize>>> = BTreeMap::new();
+            let mut is_steady = |block: &PivotBlock| {
+                let known = steady.entry(block.rows.clone()).or_insert_with(|| self.steady_elsewhere(&block.rows));
+                known.contains(&block.columns)
+            };
             let (_, block) = candidates.iter().find(|(_, block)| is_steady(block)).or_else(|| candidates.first())?.clone();
             self.eliminate(&block)?;
             blocks.push(block);
@@ -118,15 +121,8 @@ impl<'a> OpenRows<'a> {
     }
 
     /// Columns for which rows can be solved, with the rank of each choice.
-    fn candidates(&self, rows: &[usize], numbers: &[Vec<f64>]) -> Vec<(Rank, PivotBlock)> {
-        let held: Vec<usize> = self.free.iter().copied().filter(|column| rows.iter().any(|row| self.filled[*row][*column])).collect();
-        let choices: Vec<(f64, Vec<usize>)> =
-            choices(&held, rows.len()).into_iter().map(|columns| (determinant(numbers, rows, &columns).abs(), columns)).collect();
-        let largest = choices.iter().map(|(size, _)| *size).fold(0.0, f64::max);
-        let sum = |row: &usize| held.iter().map(|column| numbers[*row][*column].abs()).sum::<f64>();
-        // Twice the bound: a smaller determinant would soon fall below it.
-        let least = if rows.len() == 1 { 0.0 } else { 2.0 * rows.iter().map(sum).product::<f64>() / self.trust.of(rows.len()) as f64 };
-        let is_steady = |size: f64| size >= STEADY * largest && size > least;
+    fn candidates(&self, rows: &[usize]) -> Vec<(Rank, PivotBlock)> {
+        let held = self.held(rows);
         let rank = |columns: &[usize]| {
             let takes = |row: &&usize| columns.iter().any(|column| self.filled[**row][*column]);
             let below = self.open.iter().filter(|row| !rows.contains(row)).filter(takes).count();
@@ -134,12 +130,38 @@ impl<'a> OpenRows<'a> {
             let of_freedoms = columns.iter().filter(|column| self.columns.freedoms.contains(column)).count();
             (rows.len() == 1 && beside > 0, of_freedoms, beside * below, rows.len())
         };
-        let steady = choices.into_iter().filter(|(size, _)| is_steady(*size));
-        steady.map(|(_, columns)| (rank(&columns), PivotBlock { rows: rows.to_vec(), columns })).collect()
+        let steady = self.steady(rows, &self.numbers).into_iter();
+        steady.map(|columns| (rank(&columns), PivotBlock { rows: rows.to_vec(), columns })).collect()
     }
 
-    /// Eliminates the columns of a block from the rows that are left; `None` if the block is singular. Another pose in which it is no longer
-    /// counts.
+    /// Columns that rows hold.
+    fn held(&self, rows: &[usize]) -> Vec<usize> {
+        self.free.iter().copied().filter(|column| rows.iter().any(|row| self.filled[*row][*column])).collect()
+    }
+
+    /// Columns for which rows can be solved in a pose.
+    fn steady(&self, rows: &[usize], numbers: &[Vec<f64>]) -> Vec<Vec<usize>> {
+        let held = self.held(rows);
+        let choices: Vec<(f64, Vec<usize>)> =
+            choices(&held, rows.len()).into_iter().map(|columns| (determinant(numbers, rows, &columns).abs(), columns)).collect();
+        let largest = choices.iter().map(|(size, _)| *size).fold(0.0, f64::max);
+        let sum = |row: &usize| held.iter().map(|column| numbers[*row][*column].abs()).sum::<f64>();
+        // Twice the bound: a smaller determinant would soon fall below it.
+        let least = if rows.len() == 1 { 0.0 } else { 2.0 * rows.iter().map(sum).product::<f64>() / self.trust.of(rows.len()) as f64 };
+        choices.into_iter().filter(|(size, _)| *size >= STEADY * largest && *size > least).map(|(_, columns)| columns).collect()
+    }
+
+    /// Columns for which rows can be solved in all other poses; all of them if there are none.
+    fn steady_elsewhere(&self, rows: &[usize]) -> Vec<Vec<usize>> {
+        let all = choices(&self.held(rows), rows.len());
+        self.elsewhere.iter().fold(all, |left, numbers| {
+            let steady = self.steady(rows, numbers);
+            left.into_iter().filter(|columns| steady.contains(columns)).collect()
+        })
+    }
+
+    /// Eliminates the columns of a block from the rows that are left; `None` if the block is singular. Another pose in which it is singular is
+    /// dropped.
     fn eliminate(&mut self, block: &PivotBlock) -> Option<()> {
         let PivotBlock { rows, columns } = block;
         self.open.retain(|row| !rows.contains(row));

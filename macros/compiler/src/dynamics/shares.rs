@@ -21,8 +21,8 @@ const ROUNDING: f64 = 1e-9;
 
 /// By joint, the bodies with loads of their own beside the one on which the load of the joint is stated.
 ///
-/// Joints of the library do or do not have opposite loads at every pose. Those of a definition may have them at some: of a rope over a pulley,
-/// while its ends are in line.
+/// For a joint of the library the answer is the same at every pose. For one of a definition it need not be: the ends of a rope over a pulley
+/// may be in line at the start.
 pub(super) fn shares(
     numeric: &Numeric,
     structure: &Structure,
@@ -31,7 +31,7 @@ pub(super) fn shares(
     equations: &LoadEquations,
 ) -> BTreeMap<usize, Vec<usize>> {
     let model = numeric.model;
-    let start = state_at(numeric, arena, &assembly.start);
+    let start = (numeric.known.time, state_at(numeric, arena, numeric.known.time, &assembly.start));
     let mut elsewhere = None;
     let mut shares = BTreeMap::new();
     for (index, joint) in model.joints.iter().enumerate().filter(|(_, joint)| joint.freedom.is_none() && !joint.is_drive) {
@@ -39,8 +39,8 @@ pub(super) fn shares(
         let own: Vec<&LoadRow> = equations.rows.iter().filter(|row| row.joint == index).collect();
         let speeds = own.iter().flat_map(|row| row.jacobian.iter().map(|(speed, _)| *speed));
         let bodies: BTreeSet<usize> = speeds.map(|speed| model.ambient.body_of(speed)).collect();
-        let is_balanced = |arena: &Arena, state: &Vec<f64>| {
-            let known = Values { coordinates: state, ..numeric.known };
+        let is_balanced = |arena: &Arena, (time, state): &(f64, Vec<f64>)| {
+            let known = Values { time: *time, coordinates: state, ..numeric.known };
             own.iter().all(|row| is_balanced(model, arena, row, &known))
         };
         let is_of_library = || library::constraints(model.ambient).any(|known| known == joint.kind);
@@ -56,11 +56,11 @@ pub(super) fn shares(
     shares
 }
 
-/// States at poses that the mechanism reaches from its start.
-fn reached(numeric: &Numeric, structure: &Structure, arena: &mut Arena, assembly: &Assembly) -> Vec<Vec<f64>> {
+/// Times and states of poses that the mechanism reaches from its start.
+fn reached(numeric: &Numeric, structure: &Structure, arena: &mut Arena, assembly: &Assembly) -> Vec<(f64, Vec<f64>)> {
     let leaves_out = |equation: usize| structure.checked.contains(&equation);
     let samples = numeric.samples(&subsystems(numeric.system, structure), &assembly.start, leaves_out);
-    samples.poses.iter().map(|pose| state_at(numeric, arena, &pose.q)).collect()
+    samples.poses.iter().map(|pose| (pose.time, state_at(numeric, arena, pose.time, &pose.q))).collect()
 }
 
 /// The forces of a row have no sum, and no moment.

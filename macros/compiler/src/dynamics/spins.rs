@@ -21,7 +21,8 @@ use crate::numeric::Numeric;
 use crate::quantity::{Axis, Role};
 use crate::system::{Along, EquationsBySpins, QuaternionSpin};
 
-/// Quaternions of orientations, other ones for each body by exchange of their components: in each, no direction is near an axis of another.
+/// Quaternions of orientations; those of up to four bodies are exchanges of their components. Some axes of bodies coincide, others are at right
+/// angles: there the determinants vanish that are large elsewhere by chance.
 const ORIENTATIONS: [[f64; 4]; 3] = [[0.1, 0.5, 0.7, 0.5], [0.5, 0.7, -0.5, 0.1], [0.7, -0.1, 0.5, -0.5]];
 
 /// Equations of motion by ω.

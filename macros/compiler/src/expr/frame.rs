@@ -89,7 +89,7 @@ impl Arena {
     /// axes.
     ///
     /// ```text
-    /// ω = B w,    ω̇ = B (ẇ + ω_B × w)        B: the axes, ω_B: their own spin, of which the cross product vanishes for w itself
+    /// ω = B w,    ω̇ = B (ẇ + ω_B × w)        B: the axes, ω_B: their own spin; the product is zero where they turn with the frame
     /// ```
     pub(crate) fn add_spinning_frame(&mut self, columns: [Triple; 3], Spin { first, axes }: Spin, own: Vec<Leaf>) -> usize {
         let none = [self.integer(0); 3];

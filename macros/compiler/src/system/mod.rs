@@ -26,7 +26,7 @@ mod spin_axes;
 mod spins;
 
 use crate::diag::{Diag, SystemFact};
-use crate::expr::{Arena, Expr, Jets, Leaf, Seed, Substitution};
+use crate::expr::{Arena, Expr, Jets, Leaf, Seed};
 use crate::model::{Model, Name, Output, Said};
 use crate::quantity::{Ambient, Axis, Dim, Role, SpeedRole};
 use crate::structure::Pattern;
@@ -406,12 +406,7 @@ fn lengths(arena: &mut Arena, model: &Model, coordinates: &[Coordinate], equatio
         return model.lengths.clone();
     }
     let all: Vec<usize> = (0..coordinates.len()).collect();
-    let mut at_start = Substitution::new();
-    let zero = arena.integer(0);
-    at_start.replace(Leaf::Time, zero);
-    for (number, order, default) in model.inputs() {
-        at_start.replace(Leaf::Input { number, order }, default);
-    }
+    let mut at_start = rows::at_start(model, arena);
     let mut lengths = Vec::new();
     for equation in equations {
         let Some(phi) = equation.phi().filter(|_| [Dim::LENGTH, Dim::LENGTH.times(Dim::LENGTH)].contains(&equation.dim)) else { continue };

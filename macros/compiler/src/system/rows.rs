@@ -163,40 +163,57 @@ pub(super) fn integrate_again(model: &Model, arena: &mut Arena, coordinates: &[C
     }
 }
 
-/// Value of each coordinate at t = 0: what an equation of it alone demands, as that of a drive, or its declared start. Only equations between
-/// speeds ask for it.
+/// Value of each coordinate at t = 0: what an equation of it and of coordinates found so demands, as that of a drive, or its declared start.
+/// Without equations between speeds declared starts are enough.
 fn starts(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], rows: &[Row]) -> Vec<Option<Expr>> {
     let mut starts: Vec<Option<Expr>> = coordinates.iter().map(|coordinate| coordinate.start).collect();
-    if !rows.iter().any(|row| row.is_velocity) {
+    if !rows.iter().any(|row| row.is_velocity && !row.is_initial) {
         return starts;
     }
     // Rows of norms belong to no joint.
     let freedom = |row: &Row| model.joints.get(row.joint).and_then(|joint| joint.freedom);
     let is_from_start = |row: &Row| freedom(row).is_some_and(|freedom| freedom.is_from_start);
-    for row in rows.iter().filter(|row| !row.is_velocity && !is_from_start(row)) {
-        let residual = arena.plain(row.residual, &mut Lookup::default());
-        let [number] = coordinates_in(arena, residual)[..] else { continue };
-        let own = Leaf::Coordinate(number as u32);
-        let slope = derivative(arena, residual, own);
-        if arena.as_constant(slope).is_none_or(|slope| slope.to_f64().abs() != 1.0) {
-            continue;
+    let mut open: Vec<Expr> = rows.iter().filter(|row| !row.is_velocity && !is_from_start(row)).map(|row| row.residual).collect();
+    let mut known = at_start(model, arena);
+    loop {
+        let before = open.len();
+        for residual in std::mem::take(&mut open) {
+            let plain = arena.plain(residual, &mut Lookup::default());
+            let there = known.of(arena, plain);
+            let Some((number, value)) = demanded(arena, there) else {
+                open.push(residual);
+                continue;
+            };
+            known.replace(Leaf::Coordinate(number as u32), value);
+            if let Some(start) = starts.get_mut(number) {
+                *start = Some(value);
+            }
         }
-        let mut at_start = at_start(model, arena);
-        let zero = arena.integer(0);
-        at_start.replace(own, zero);
-        let rest = at_start.of(arena, residual);
-        let value = arena.mul(slope, rest);
-        let is_called = |expr: &Expr| matches!(arena.node(*expr), Node::Call { .. });
-        let is_known = arena.is_fixed(value) && !arena.reachable(&[value]).iter().any(is_called);
-        if let Some(start) = starts.get_mut(number).filter(|_| is_known) {
-            *start = Some(arena.neg(value));
+        if open.len() == before {
+            return starts;
         }
     }
-    starts
+}
+
+/// The coordinate and the value that an equation of one coordinate with a constant factor demands.
+fn demanded(arena: &mut Arena, residual: Expr) -> Option<(usize, Expr)> {
+    let [number] = coordinates_in(arena, residual)[..] else { return None };
+    let own = Leaf::Coordinate(number as u32);
+    let slope = derivative(arena, residual, own);
+    arena.as_constant(slope).filter(|slope| !slope.is_zero())?;
+    let mut at_zero = Substitution::new();
+    let zero = arena.integer(0);
+    at_zero.replace(own, zero);
+    let rest = at_zero.of(arena, residual);
+    let quotient = arena.div(rest, slope);
+    let value = arena.neg(quotient);
+    let is_called = |expr: &Expr| matches!(arena.node(*expr), Node::Call { .. });
+    let is_known = arena.is_fixed(value) && !arena.reachable(&[value]).iter().any(is_called);
+    is_known.then_some((number, value))
 }
 
 /// Replaces time and inputs by their values at the start.
-fn at_start(model: &Model, arena: &mut Arena) -> Substitution {
+pub(super) fn at_start(model: &Model, arena: &mut Arena) -> Substitution {
     let mut at_start = Substitution::new();
     let zero = arena.integer(0);
     at_start.replace(Leaf::Time, zero);

@@ -269,6 +269,15 @@ fn balls_turn_in_the_axes_of_their_equations() {
     assert_eq!(axes_of_spins(GEARS), ["own"; 3]);
     assert_eq!(axes_of_spins(BALLS), ["own", "another body's", "another body's"]);
     assert_eq!(axes_of_spins(ROLLING), ["ground"; 2]);
+    // A body that is a ball for some parameters alone is none.
+    let ball = "inertia = (0.05kgm2, 0.05kgm2, 0.05kgm2)";
+    let params = "param a: Inertia = 0.05kgm2;  param b: Inertia = 0.05kgm2;  param off: Length = 0mm;  gravity";
+    for of_parameters in
+        ["inertia = (a, a, b)", "center = (off, 0m, 0m);  inertia = (a, a, b)", "center = (off, 0m, 0m);  inertia = (b, b, b + a - a)"]
+    {
+        let declaration = BALLS.replacen("gravity", params, 1).replacen(ball, of_parameters, 1);
+        assert_eq!(axes_of_spins(&declaration), ["own", "own", "another body's"], "{of_parameters}");
+    }
     for declaration in [BALLS, ROLLING] {
         assert_eq!(untrusted_states(declaration, at_random(declaration)), 0);
     }

@@ -11,7 +11,8 @@ struct Product {
     axis: u8,
 }
 
-/// Components that are constant have no mark: without the third product two others are the rest of the dot product.
+/// A product of two constant components is a number, so that only two marked products are left; the number is subtracted from s · t. Frames of
+/// binary links are orthogonal only where the row of their length holds.
 pub(super) fn dot(arena: &mut Arena, node: &Node) -> Option<Expr> {
     let &Node::Binary(Binary::Add, one, two) = node else {
         return None;

@@ -10,8 +10,8 @@ use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 impl Forest<'_> {
-    /// The axes for ω of a body that is free to turn: its own if an equation between speeds is written with them, otherwise those with which
-    /// most of them are written, of another body only if its ω is along its own axes.
+    /// The axes for ω of a body that is free to turn: its own if an equation between speeds is written with them, otherwise those used by most
+    /// of them; axes of another body only if its ω is along its own.
     pub(super) fn axes_of_spin(&self, body: usize) -> SpinAxes {
         if !self.is_ball(body) {
             return SpinAxes::Own;
