@@ -4,6 +4,7 @@
 mod compare;
 mod bricard;
 mod bushings;
+mod changed;
 mod conserved;
 mod derivatives;
 mod events;
