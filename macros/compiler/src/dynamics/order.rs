@@ -25,7 +25,7 @@ pub(super) struct PivotBlock {
 /// Rank of a block; the least comes first.
 ///
 /// 1. Single pivots are taken last, unless they are alone in their rows.
-/// 2. Grouping of freedoms stay independent where possible: declared freedoms are those that determine the motion well.
+/// 2. Columns of freedoms stay independent where possible: declared freedoms are those that determine the motion well.
 /// 3. Fill-in.
 /// 4. The number of rows.
 type Rank = (bool, usize, usize, usize);
@@ -35,7 +35,7 @@ type Rank = (bool, usize, usize, usize);
 pub(super) struct Grouping<'a> {
     /// Joint of each row.
     pub(super) joints: &'a [usize],
-    /// Grouping that are better not solved for.
+    /// Columns that are better not solved for.
     pub(super) freedoms: &'a [usize],
     /// Speeds of a body's origin, or its angular velocity: rows for one such vector may be taken together.
     pub(super) triples: &'a [[usize; 3]],

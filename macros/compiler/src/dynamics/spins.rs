@@ -16,10 +16,10 @@ use super::order::{Grouping, OpenRows};
 use super::trust::Trust;
 use super::{MotionRow, freedoms, in_general, masses, plain, power_of_two};
 use crate::assembly::Assembly;
-use crate::expr::{Arena, Expr, Leaf, Lookup, Substitution, Triple, Values, combination, cross, dot, evaluate};
+use crate::expr::{Arena, Expr, Leaf, Lookup, Spin, SpinAxes, Substitution, Triple, Values, combination, cross, dot, evaluate};
 use crate::numeric::Numeric;
 use crate::quantity::{Axis, Role};
-use crate::system::{Along, EquationsBySpins, QuaternionSpin};
+use crate::system::EquationsBySpins;
 
 /// Quaternions of orientations; those of up to four bodies are exchanges of their components. Some axes of bodies coincide, others are at right
 /// angles: there the determinants vanish that are large elsewhere by chance.
@@ -34,18 +34,18 @@ pub(super) struct BySpins {
     initial: Vec<MotionRow>,
     mass: Vec<Expr>,
     forces: Vec<Expr>,
-    quaternions: Vec<QuaternionSpin>,
+    spins: Vec<Spin>,
 }
 
 impl BySpins {
     /// Equations without marks.
     pub(super) fn plain(arena: &mut Arena, known: &mut Lookup<Expr, Expr>, equations: &EquationsBySpins) -> EquationsBySpins {
-        let EquationsBySpins { equations, of_speeds, forces, quaternions } = equations;
+        let EquationsBySpins { equations, of_speeds, forces, spins } = equations;
         EquationsBySpins {
             equations: plain(arena, known, equations),
             of_speeds: plain(arena, known, of_speeds),
             forces: forces.iter().map(|force| arena.plain(*force, known)).collect(),
-            quaternions: quaternions.iter().map(|spin| spin.plain(arena, known)).collect(),
+            spins: spins.clone(),
         }
     }
 
@@ -59,10 +59,10 @@ impl BySpins {
         is_solved: impl Fn(&usize) -> bool,
         explicit: &[(usize, usize)],
     ) -> BySpins {
-        let EquationsBySpins { equations, of_speeds, forces, quaternions } = equations;
+        let EquationsBySpins { equations, of_speeds, forces, spins } = equations;
         let constraints: Vec<_> = (0..equations.len()).filter(|row| is_solved(row)).map(|row| equations[row].clone()).collect();
         let masses = masses(arena, forces);
-        let is_speed = |number: &usize| !quaternions.iter().any(|spin| spin.first + 3 == *number);
+        let is_speed = |number: &usize| !spins.iter().any(|spin| spin.first as usize + 3 == *number);
         let mut embedding = Embedding::new(arena, (0..forces.len()).filter(is_speed).collect());
         embedding.follow(explicit, &constraints);
         let is_left = |row: &usize| !explicit.iter().any(|(solved, _)| solved == row) && !constraints[*row].jacobian.is_empty();
@@ -72,7 +72,7 @@ impl BySpins {
         let initial = equations.iter().chain(of_speeds).filter(|equation| equation.is_initial);
         let initial = initial.map(|equation| embedding.row(equation)).collect();
         let (mass, forces) = (embedding.mass(&masses), embedding.forces(forces));
-        BySpins { speeds: embedding.integrated(), rows, initial, mass, forces, quaternions: quaternions.clone() }
+        BySpins { speeds: embedding.integrated(), rows, initial, mass, forces, spins: spins.clone() }
     }
 
     /// Accelerations of the integrated coordinates, by an order of elimination that is good where the mechanism is assembled.
@@ -88,9 +88,9 @@ impl BySpins {
         let numbers = self.numbers(arena, numeric, (&assembly.start, &scales));
         let elsewhere = ORIENTATIONS.map(|orientation| {
             let mut coordinates = assembly.start.clone();
-            for (number, spin) in self.quaternions.iter().enumerate() {
+            for (number, spin) in self.spins.iter().enumerate() {
                 let turned = |k: usize| orientation[(k + number) % orientation.len()];
-                (0..4).for_each(|k| coordinates[spin.first + k] = turned(k));
+                (0..4).for_each(|k| coordinates[spin.first as usize + k] = turned(k));
             }
             self.numbers(arena, numeric, (&coordinates, &scales))
         });
@@ -121,14 +121,14 @@ impl BySpins {
     }
 
     fn is_spin(&self, speed: usize) -> bool {
-        self.quaternions.iter().any(|spin| (spin.first..spin.first + 3).contains(&speed))
+        self.spins.iter().any(|spin| (spin.first..spin.first + 3).contains(&(speed as u32)))
     }
 
     /// Grouping of the vectors of bodies.
     fn triples(&self, numeric: &Numeric) -> Vec<[usize; 3]> {
         let is_first = |speed: &usize| {
             let is_position = matches!(numeric.system.coordinates[*speed].role, Role::Position(Axis::X));
-            is_position || self.quaternions.iter().any(|spin| spin.first == *speed)
+            is_position || self.spins.iter().any(|spin| spin.first as usize == *speed)
         };
         let place = |speed: usize| self.speeds.iter().position(|other| *other == speed);
         let triple = |speed: &usize| Some([place(*speed)?, place(speed + 1)?, place(speed + 2)?]);
@@ -137,45 +137,41 @@ impl BySpins {
 
     /// Accelerations of the coordinates of a state, with ω as a function of its rates.
     fn by_coordinates(&self, arena: &mut Arena, integrated: &[usize], found: Accelerations) -> Accelerations {
-        let quaternions: Vec<Quaternion> = self.quaternions.iter().map(|spin| Quaternion::new(arena, *spin)).collect();
-        let mut spins = Substitution::new();
+        let quaternions: Vec<Quaternion> = self.spins.iter().map(|spin| Quaternion::new(arena, *spin)).collect();
+        let mut by_rates = Substitution::new();
         for quaternion in &quaternions {
-            (quaternion.first as u32..).zip(quaternion.components).for_each(|(number, spin)| spins.replace(Leaf::Speed(number), spin));
+            (quaternion.first as u32..).zip(quaternion.components).for_each(|(number, part)| by_rates.replace(Leaf::Speed(number), part));
         }
-        let mut of = |expr: Expr| spins.of(arena, expr);
+        let mut of = |expr: Expr| by_rates.of(arena, expr);
         let values: Vec<Expr> = found.values.into_iter().map(&mut of).collect();
         let checks = found.checks.into_iter().map(|pair| pair.map(&mut of)).collect();
         let mut values: Lookup<usize, Expr> = self.speeds.iter().copied().zip(values).collect();
         for quaternion in &quaternions {
             let changes = [0, 1, 2].map(|k| values[&(quaternion.first + k)]);
-            let turning = match quaternion.along {
-                Along::Axes { first, .. } => quaternions.iter().find(|other| other.first == first).map(|other| other.components),
-                Along::Own | Along::Ground => None,
-            };
+            let lender = quaternions.iter().find(|other| Some(other.first) == quaternion.lender.map(|lender| lender.first));
+            let turning = lender.map(|lender| lender.components);
             values.extend((quaternion.first..).zip(quaternion.second_derivative(arena, changes, turning)));
         }
         Accelerations { values: integrated.iter().map(|unknown| values[unknown]).collect(), checks }
     }
 }
 
-impl QuaternionSpin {
-    /// Without marks.
-    fn plain(self, arena: &mut Arena, known: &mut Lookup<Expr, Expr>) -> QuaternionSpin {
-        let along = match self.along {
-            Along::Axes { columns, first } => {
-                Along::Axes { columns: columns.map(|column| column.map(|part| arena.plain(part, known))), first }
-            }
-            along => along,
-        };
-        QuaternionSpin { along, ..self }
-    }
+/// The body along whose axes ω of another one has its components.
+#[derive(Clone, Copy)]
+struct Lender {
+    /// Number of the first component of its quaternion.
+    first: usize,
+    /// Its axes.
+    columns: [Triple; 3],
 }
 
 /// The quaternion of a body, by the rates of its components.
 struct Quaternion {
     /// Number of its first component.
     first: usize,
-    along: Along,
+    /// True if ω is along the axes of the body itself.
+    is_own: bool,
+    lender: Option<Lender>,
     /// e
     scalar: Expr,
     vector: Triple,
@@ -192,7 +188,12 @@ struct Quaternion {
 }
 
 impl Quaternion {
-    fn new(arena: &mut Arena, QuaternionSpin { first, along }: QuaternionSpin) -> Quaternion {
+    fn new(arena: &mut Arena, Spin { first, axes }: Spin) -> Quaternion {
+        let (first, is_own) = (first as usize, axes == SpinAxes::Own);
+        let lender = match axes {
+            SpinAxes::Of(frame) => arena.spin(frame).map(|spin| Lender { first: spin.first as usize, columns: arena.frame(frame).columns }),
+            SpinAxes::Own | SpinAxes::Ground => None,
+        };
         let [components, rates] = [Leaf::Coordinate, Leaf::Speed].map(|leaf| [0, 1, 2, 3].map(|k| arena.leaf(leaf((first + k) as u32))));
         let sum_of_products = |arena: &mut Arena, a: [Expr; 4], b: [Expr; 4]| {
             let products = [0, 1, 2, 3].map(|k| arena.mul(a[k], b[k]));
@@ -210,26 +211,23 @@ impl Quaternion {
         let across = cross(arena, vector, [dx, dy, dz]);
         let spin = [0, 1, 2].map(|k| {
             let (forth, back) = (arena.mul(scalar, [dx, dy, dz][k]), arena.mul(rate, vector[k]));
-            let along_both = arena.sub(forth, back);
-            let part = if along.is_own() { arena.sub(along_both, across[k]) } else { arena.add(along_both, across[k]) };
+            let along = arena.sub(forth, back);
+            let part = if is_own { arena.sub(along, across[k]) } else { arena.add(along, across[k]) };
             arena.mul(h, part)
         });
-        let components = match along {
-            Along::Axes { columns, .. } => columns.map(|axis| dot(arena, axis, spin)),
-            Along::Own | Along::Ground => spin,
-        };
-        Quaternion { first, along, scalar, vector, inverse, growth: arena.mul(h, growth), square, spin, components }
+        let components = lender.map_or(spin, |lender| lender.columns.map(|axis| dot(arena, axis, spin)));
+        Quaternion { first, is_own, lender, scalar, vector, inverse, growth: arena.mul(h, growth), square, spin, components }
     }
 
     /// ë, from ẇ.
     ///
     /// * `turning`: given, ω of the body along whose axes w has its components, by those axes.
     fn second_derivative(&self, arena: &mut Arena, changes: Triple, turning: Option<Triple>) -> [Expr; 4] {
-        let changes = match (self.along, turning) {
-            (Along::Axes { columns, .. }, Some(turning)) => {
+        let changes = match (self.lender, turning) {
+            (Some(lender), Some(turning)) => {
                 let swing = cross(arena, turning, self.components);
                 let changes = [0, 1, 2].map(|k| arena.add(changes[k], swing[k]));
-                combination(arena, changes, columns)
+                combination(arena, changes, lender.columns)
             }
             _ => changes,
         };
@@ -246,7 +244,7 @@ impl Quaternion {
         let [x, y, z] = [0, 1, 2].map(|k| {
             let (own, other) = (arena.mul(self.scalar, turned[k]), arena.mul(part, self.vector[k]));
             let sum = arena.add(own, other);
-            if self.along.is_own() { arena.add(sum, across[k]) } else { arena.sub(sum, across[k]) }
+            if self.is_own { arena.add(sum, across[k]) } else { arena.sub(sum, across[k]) }
         });
         [arena.sub(along, against), x, y, z]
     }

@@ -41,7 +41,7 @@ pub use loads::{LoadEquations, LoadRow};
 pub(crate) use magnitude::magnitude;
 pub(crate) use rows::coordinates_in;
 use rows::{Differentiation, Row};
-pub use spins::{Along, EquationsBySpins, QuaternionSpin};
+pub use spins::EquationsBySpins;
 
 /// Unknowns and equations.
 #[derive(Clone, Debug)]

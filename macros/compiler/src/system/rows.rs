@@ -300,8 +300,12 @@ fn antiderivative(arena: &mut Arena, number: u32, factor: Expr) -> Option<Expr> 
             if !is_of_own || arena.as_constant(slope).is_none_or(|slope| slope.is_zero()) {
                 return None;
             }
-            let area = if function == Unary::Cos { arena.sin(a) } else { arena.cos(a) };
-            let area = if function == Unary::Cos { area } else { arena.neg(area) };
+            let area = if function == Unary::Cos {
+                arena.sin(a)
+            } else {
+                let cosine = arena.cos(a);
+                arena.neg(cosine)
+            };
             Some(arena.div(area, slope))
         }
         _ => None,

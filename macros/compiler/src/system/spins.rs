@@ -6,7 +6,7 @@
 use super::forest::{self, FreeSpeeds};
 use super::rows::{self, Differentiation, Row};
 use super::{Choice, Coordinate, Equation, rates};
-use crate::expr::{Arena, Expr, Leaf, Seed, Spin, SpinAxes, Triple};
+use crate::expr::{Arena, Expr, Leaf, Seed, Spin};
 use crate::model::Model;
 use crate::quantity::Role;
 
@@ -19,39 +19,8 @@ pub struct EquationsBySpins {
     pub of_speeds: Vec<Equation>,
     /// M u̇ − Q, by speed.
     pub forces: Vec<Expr>,
-    /// Each quaternion.
-    pub quaternions: Vec<QuaternionSpin>,
-}
-
-/// The speeds of a body that is free to turn.
-#[derive(Clone, Copy, Debug)]
-pub struct QuaternionSpin {
-    /// Number of the first component of its quaternion, and of its ω.
-    pub first: usize,
-    /// Axes along which ω has its components.
-    pub along: Along,
-}
-
-/// Axes along which ω has its components.
-#[derive(Clone, Copy, Debug)]
-pub enum Along {
-    /// Those of the body.
-    Own,
-    /// Those of ground.
-    Ground,
-    /// Those of another body.
-    Axes {
-        /// The axes, by components in ground.
-        columns: [Triple; 3],
-        /// Number of the first component of that body's ω.
-        first: usize,
-    },
-}
-
-impl Along {
-    pub(crate) fn is_own(self) -> bool {
-        matches!(self, Along::Own)
-    }
+    /// The speeds of each body that is free to turn.
+    pub spins: Vec<Spin>,
 }
 
 /// Derives the equations.
@@ -65,20 +34,11 @@ pub(super) fn equations(model: &Model, arena: &mut Arena, coordinates: &[Coordin
     let columns = (0..coordinates.len() as u32).map(Leaf::Coordinate);
     let mut derivatives = Differentiation::new(columns, Seed::constant_speeds(rates(coordinates.len())), 0);
     let is_first = |coordinate: &&Coordinate| coordinate.role == Role::Quaternion(0);
-    let spin = |arena: &Arena, coordinate: &Coordinate| {
-        let Spin { first, axes } = arena.spin(frames[coordinate.body])?;
-        let along = match axes {
-            SpinAxes::Own => Along::Own,
-            SpinAxes::Ground => Along::Ground,
-            SpinAxes::Of(frame) => Along::Axes { columns: arena.frame(frame).columns, first: arena.spin(frame)?.first as usize },
-        };
-        Some(QuaternionSpin { first: first as usize, along })
-    };
-    let quaternions = coordinates.iter().filter(is_first).filter_map(|coordinate| spin(arena, coordinate)).collect();
+    let spins = coordinates.iter().filter(is_first).filter_map(|coordinate| arena.spin(frames[coordinate.body])).collect();
     EquationsBySpins {
         equations: derivatives.of_all(arena, &rows),
         of_speeds: derivatives.of_all(arena, &of_speeds),
         forces: balance.map_or_else(Vec::new, |balance| balance.forces),
-        quaternions,
+        spins,
     }
 }

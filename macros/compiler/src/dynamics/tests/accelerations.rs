@@ -1,11 +1,10 @@
 //! Accelerations in closed form against a dense solution in the coordinates of all bodies.
 
 use crate::compile;
-use crate::expr::{Values, evaluate};
+use crate::expr::{Spin, SpinAxes, Values, evaluate};
 use crate::linear::dense;
 use crate::numeric::at_defaults;
 use crate::quantity::Role;
-use crate::system::{Along, QuaternionSpin};
 use std::f64::consts::TAU;
 
 /// Ground, crank, coupler and rocker.
@@ -256,12 +255,12 @@ fn nodes_on_a_carrier_have_accelerations_in_closed_form_in_all_orientations() {
 fn axes_of_spins(declaration: &str) -> Vec<&'static str> {
     let compiled = compile(declaration.parse().expect("tokens")).expect("a valid mechanism");
     let by_spins = compiled.system.by_spins.as_ref().expect("bodies that are free to turn");
-    let name = |spin: &QuaternionSpin| match spin.along {
-        Along::Own => "own",
-        Along::Ground => "ground",
-        Along::Axes { .. } => "another body's",
+    let name = |spin: &Spin| match spin.axes {
+        SpinAxes::Own => "own",
+        SpinAxes::Ground => "ground",
+        SpinAxes::Of(_) => "another body's",
     };
-    by_spins.quaternions.iter().map(name).collect()
+    by_spins.spins.iter().map(name).collect()
 }
 
 #[test]
