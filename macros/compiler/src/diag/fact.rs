@@ -269,14 +269,38 @@ pub enum EquationFact {
     EquationInForce,
     ForceInJoint,
     RateOfSpeed,
-    NotAffine { joint: String, row: usize, of: usize },
-    CrossProduct { rows: Option<String>, parallel: Option<String> },
-    OnGround { joint: String, kind: String },
-    ForceOnGround { force: String, ambient: Ambient },
-    EnergyOfNothing,
-    NoEquations { name: String },
-    NoForces { name: String, body: Option<String>, ambient: Ambient },
-    EmptyBundle { name: String },
+    NotAffine {
+        joint: String,
+        row: usize,
+        of: usize,
+    },
+    CrossProduct {
+        rows: Option<String>,
+        parallel: Option<String>,
+    },
+    OnGround {
+        joint: String,
+        kind: String,
+    },
+    ForceOnGround {
+        force: String,
+        ambient: Ambient,
+    },
+    EnergyOfNothing {
+        /// True for the potential of a force.
+        is_of_force: bool,
+    },
+    NoEquations {
+        name: String,
+    },
+    NoForces {
+        name: String,
+        body: Option<String>,
+        ambient: Ambient,
+    },
+    EmptyBundle {
+        name: String,
+    },
     GroundStart,
 }
 

@@ -59,7 +59,9 @@ impl Elaborator<'_> {
             return self.refuse(value.range, ValueFact::EnergyOfVelocities);
         }
         let moves = self.arena.leaves(energy).into_iter().any(Leaf::moves);
-        if moves || is_of_force { Some(()) } else { self.refuse(value.range, EquationFact::EnergyOfNothing) }
+        // The potential of a spring whose stiffness is 0 is 0.
+        let is_zero = self.arena.as_constant(energy).is_some_and(|value| value.is_zero());
+        if moves || is_of_force && is_zero { Some(()) } else { self.refuse(value.range, EquationFact::EnergyOfNothing { is_of_force }) }
     }
 
     /// `at point: force;` or `on body: torque;`

@@ -70,8 +70,9 @@ impl Display for EquationFact {
                 write!(f, "`{force}` acts on ground alone, and ground does not move")?;
                 write!(f, "\nhelp: let it act on a body, such as `at body.P: {push};`")
             }
-            EquationFact::EnergyOfNothing => {
-                write!(f, "this energy does not depend on the position of any body: no force follows from it")?;
+            EquationFact::EnergyOfNothing { is_of_force } => {
+                let so = if *is_of_force { "a force has no such potential" } else { "no force follows from it" };
+                write!(f, "this energy does not depend on the position of any body: {so}")?;
                 write!(f, "\nhelp: write it with points or angles of bodies, such as `0.5 * k * norm(body.P - ground.Q)^2`")
             }
             EquationFact::NoEquations { name } => write!(f, "`{name}` has no equations\nhelp: write `lhs == rhs;`"),
