@@ -60,7 +60,7 @@ codes! {
     E0015: Grammar::ClosingWord Grammar::AllowedWord Grammar::AttributeTwice Grammar::SecondTask;
     // Names.
     E0101: Name::UnknownName;
-    E0102: Name::UnknownField Name::AngleOfBody;
+    E0102: Name::UnknownField Name::AngleOfBody Name::NoHeight;
     E0103: Name::UnknownFunction Name::UnknownShape;
     E0104: Name::UnknownConstraint Name::NotAConstraint Array::ComponentAsConstraint Motion::UnknownForce;
     E0105: Array::UnknownComponent;

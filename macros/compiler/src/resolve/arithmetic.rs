@@ -1,6 +1,7 @@
 //! Arithmetic of numbers and vectors: sums, products, powers, choices, and the residuals of equations.
 
-use super::{Components, elaborate::Elaborator};
+use super::Components;
+use super::elaborate::{Elaborator, misread_height};
 use crate::diag::{ArrayFact, Range, ValueFact, Wanted};
 use crate::expr::{Exact, Expr, Unary};
 use crate::hints::{decimal_comma, in_millimetres, is_measured};
@@ -138,6 +139,17 @@ impl Elaborator<'_> {
         Some(Scalar { expr: self.arena.integer(result), measure: InferredDim::Known(Dim::NUMBER) })
     }
 
+    /// Refuses an axis called `z` beside a number, in the plane.
+    fn is_no_height(&mut self, sides: [(&ast::Expression, &Value); 2]) -> Option<()> {
+        let has_number = sides.iter().any(|(_, value)| matches!(value, Value::Scalar(_)));
+        let found =
+            sides.into_iter().find_map(|(written, value)| Some((written.range, misread_height(self.names.ambient, written, value)?)));
+        match found.filter(|_| has_number) {
+            Some((range, fact)) => self.refuse(range, fact),
+            None => Some(()),
+        }
+    }
+
     /// Adds vectors to vectors, and multiplies or divides vectors by numbers.
     fn combine_vectors(
         &mut self,
@@ -148,6 +160,9 @@ impl Elaborator<'_> {
     ) -> Option<Value> {
         if let (Operator::Mul, Value::Scalar(_)) = (operator, &left.1) {
             return self.combine_vectors(range, operator, right, left);
+        }
+        if matches!(operator, Operator::Add | Operator::Sub) {
+            self.is_no_height([(left.0, &left.1), (right.0, &right.1)])?;
         }
         if !right.1.is_combinable() {
             return self.not_a(right.0.range, Wanted::NumberOrVector, right.1.kind());
@@ -276,6 +291,7 @@ impl Elaborator<'_> {
             let Vector { parts, measure } = self.between_orientations(one, two);
             return Some(parts.iter().map(|expr| Scalar { expr: *expr, measure }).collect());
         }
+        self.is_no_height([(lhs, &left), (rhs, &right)])?;
         let kinds = [left.kind(), right.kind()];
         let points = match (&left, &right) {
             (Value::Point(to), Value::Point(from)) => Some((*from, *to)),

@@ -173,7 +173,10 @@ impl Elaborator<'_> {
     pub(super) fn scalar(&mut self, expr: &ast::Expression, scope: &Scope) -> Option<Scalar> {
         match self.value(expr, scope)? {
             Value::Scalar(scalar) => Some(scalar),
-            other => self.not_a(expr.range, Wanted::Number, other.kind()),
+            other => match misread_height(self.names.ambient, expr, &other) {
+                Some(fact) => self.refuse(expr.range, fact),
+                None => self.not_a(expr.range, Wanted::Number, other.kind()),
+            },
         }
     }
 
@@ -420,6 +423,10 @@ impl Elaborator<'_> {
                 if let Some(group) = self.names.find(space, &name) {
                     return self.of_group(group, field);
                 }
+                if name == HEIGHT {
+                    let owner = format!("`{}`", self.names.frames[frame.0].name);
+                    return self.refuse(field, NameFact::NoHeight { owner, is_axis: false });
+                }
                 let (axes, others): (Vec<Role>, Vec<Role>) = self.names.ambient.named().partition(|role| role.is_position());
                 let own: Vec<&str> = self.names.words(space).collect();
                 // In space an axis may be called like a coordinate.
@@ -439,7 +446,23 @@ impl Elaborator<'_> {
     }
 }
 
+/// The coordinate that space has and the plane has not.
+const HEIGHT: &str = "z";
+
+/// What is wrong with an axis called `z` in the plane where a number is wanted.
+pub(super) fn misread_height(ambient: Ambient, written: &ast::Expression, value: &Value) -> Option<NameFact> {
+    match (&written.kind, value) {
+        (ast::ExpressionKind::Field(owner, name), Value::Axis(_)) if ambient == Ambient::Plane && name == HEIGHT => {
+            Some(NameFact::NoHeight { owner: format!("`{owner}`"), is_axis: true })
+        }
+        _ => None,
+    }
+}
+
 fn unknown_field(value: &Value, name: String, ambient: Ambient) -> NameFact {
+    if name == HEIGHT && ambient == Ambient::Plane && matches!(value, Value::Point(_) | Value::Axis(_) | Value::Vector(_)) {
+        return NameFact::NoHeight { owner: value.kind().to_string(), is_axis: false };
+    }
     let axes = ambient.positions().map(Role::name);
     let known: Vec<&str> = match value {
         Value::Point(_) | Value::Axis(_) => axes.chain(["body"]).collect(),

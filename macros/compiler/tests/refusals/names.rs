@@ -13,7 +13,11 @@ crate::refusals! {
     item point_is_unknown: "output b = crank.«Z»;" => "`crank` has no `Z`\nnote: it has `O`, `A`, `v`, `position`, `angle`, `x`, `y` and `angular_velocity`";
     item point_without_its_body: "joint a = revolute(ground.C, «A»);" => "nothing is called `A` here\nhelp: did you mean `crank.A`?";
     item angle_is_mistyped: "output b = crank.«angel»;" => "`crank` has no `angel`\nhelp: did you mean `angle`?";
-    item component_of_a_point: "output b = crank.A.«z»;" => "a point has no `z`\nnote: it has `x`, `y` and `body`";
+    item component_of_a_point: "output b = crank.A.«z»;" => "a point has no `z` in the plane\nhelp: write `.x` or `.y`, or for a mechanism in space `mechanism Name in space { … }`";
+    item height_of_a_body: "output b = crank.«z»;" => "`crank` has no `z` in the plane\nhelp: write `.x` or `.y`, or for a mechanism in space `mechanism Name in space { … }`";
+    mechanism height_of_a_body_with_an_axis: "mechanism M { body b { axis z = (0, 1); } joint o = { «b.z» == 100mm; } drive d = drive_angle(b, 1rpm * t); }" => "the `z` of `b` is an axis here, and no place has a `z` in the plane\nhelp: write `.x` or `.y`, or for a mechanism in space `mechanism Name in space { … }`";
+    mechanism height_beside_an_axis: "mechanism M { body b { axis z = (0, 1); } joint o = revolute(ground.position, b.position); drive d = drive_angle(b, 1rpm * t); output h = «b.z» + 100mm; }" => "the `z` of `b` is an axis here, and no place has a `z` in the plane\nhelp: write `.x` or `.y`, or for a mechanism in space `mechanism Name in space { … }`";
+    mechanism height_of_a_point_beside_an_axis: "mechanism M { body b { axis z = (0, 1); } joint o = revolute(ground.position, b.position); drive d = drive_angle(b, 1rpm * t); output h = b.position.«z»; }" => "a point has no `z` in the plane\nhelp: write `.x` or `.y`, or for a mechanism in space `mechanism Name in space { … }`";
     item component_of_a_number: "output b = length.«x»;" => "a number has no `x`";
     item argument_of_a_joint: "drive b = drive_x(slide.«R», 1mm * t / 1s);" => "a `translational` joint has no `R`\nnote: it has `u`, `P`, `Q` and `c`";
     item constraint_is_mistyped: "joint a = «revolut»(ground.C, crank.A);" => "no constraint is called `revolut`\nhelp: did you mean `revolute`?";

@@ -68,6 +68,13 @@ impl Display for NameFact {
                 }
                 Ok(())
             }
+            NameFact::NoHeight { owner, is_axis } => {
+                match is_axis {
+                    true => write!(f, "the `z` of {owner} is an axis here, and no place has a `z` in the plane")?,
+                    false => write!(f, "{owner} has no `z` in the plane")?,
+                }
+                write!(f, "\nhelp: write `.x` or `.y`, or for a mechanism in space `mechanism Name in space {{ … }}`")
+            }
             NameFact::AngleOfBody { body, joint } => {
                 write!(f, "`{body}` has no `angle`: in space a body has an orientation, and a joint has an angle")?;
                 match joint {
