@@ -221,6 +221,72 @@ fn a_point_of_a_body_that_turns_is_moved_at_a_given_rate_without_drift() {
 }
 
 mechanism! {
+    /// A crane whose jib is lowered and raised so that its tip moves at a given speed along x while the column slews.
+    mechanism Slewing in space {
+        param speed: Velocity = 50mm_s;
+        param reach: Length = 2m;
+        body column { axis z = (0, 0, 1);  axis pin = (0, -1, 0) from (1, 0, 0); }
+        body jib { axis pin = (0, -1, 0) from (1, 0, 0);  point tip = (reach, 0m, 0m); }
+        joint slew = revolute(ground.position, (0, 0, 1), column.position, column.z);
+        joint foot = revolute(column.position, column.pin, jib.position, jib.pin);
+        joint rope = { rate(jib.tip.x) == -speed; }
+        drive motor = drive_rotation(slew.angle, 10deg + 0.2rad_s * t);
+        start foot.angle = 40deg;
+        range t in 0s..2s;
+        output luff = foot.angle;
+    }
+}
+
+/// x = r cos α cos β, from α = 10° and β = 40°.
+#[test]
+fn a_point_on_two_hinges_in_space_is_moved_at_a_given_rate_without_drift() {
+    for (speed, reach) in [(0.05, 2.0), (-0.02, 3.0)] {
+        let crane = Slewing { speed, reach };
+        for t in [0.0, 1.0, 2.0] {
+            let slew = 10_f64.to_radians() + 0.2 * t;
+            let place = reach * 10_f64.to_radians().cos() * 40_f64.to_radians().cos() - speed * t;
+            let luff = (place / (reach * slew.cos())).acos();
+            let found = crane.luff(&crane.solve(t).unwrap());
+            assert!((found.value - luff).abs() < 1e-14, "{} instead of {luff} at {t} s", found.value);
+        }
+    }
+}
+
+mechanism! {
+    /// An arm on two hinges along no common axes. A drum winds as its tip moves.
+    mechanism Skew in space {
+        body drum { axis x = (1, 0, 0); }
+        body base { axis up = (0, 1, 1);  axis tilted = (1, 2, 3);  point E = (300mm, 100mm, 200mm); }
+        body limb { axis tilted = (1, 2, 3);  point tip = (100mm, 400mm, 0mm); }
+        joint axle = revolute((2m, 0m, 0m), (1, 0, 0), drum.position, drum.x);
+        joint waist = revolute(ground.position, (0, 1, 1), base.position, base.up);
+        joint elbow = revolute(base.E, base.tilted, limb.position, limb.tilted);
+        joint rope = { 2 * rate(limb.tip.z) - rate(limb.tip.y) / 2 == 300mm * drum.angular_velocity.x; }
+        drive wind = drive_rotation(axle.angle, 0.5rad_s * t);
+        drive turn = drive_rotation(waist.angle, 20deg + 0.3rad_s * t);
+        start elbow.angle = 30deg;
+        range t in 0s..1s;
+        output tip = limb.tip;
+        output elbow_angle = elbow.angle;
+    }
+}
+
+/// From the declared 30° of the elbow, 2 z − y / 2 of the tip grows by what the drum has wound.
+#[test]
+fn a_point_on_hinges_of_any_directions_is_moved_at_a_given_rate_without_drift() {
+    let skew = Skew::default();
+    let sum = |t: f64| {
+        let tip = skew.tip(&skew.solve(t).unwrap()).value;
+        2.0 * tip.z - tip.y / 2.0
+    };
+    let elbow = skew.elbow_angle(&skew.solve(0.0).unwrap()).value;
+    assert!((elbow - 30_f64.to_radians()).abs() < 1e-14, "{elbow}");
+    for t in [0.2, 0.5, 1.0] {
+        assert!((sum(t) - sum(0.0) - 0.15 * t).abs() < 1e-14, "{} at {t} s", sum(t) - sum(0.0));
+    }
+}
+
+mechanism! {
     /// Wheels that are told how fast to turn against a slide and a wheel, which begin where their drives have them.
     mechanism Begun {
         param first: Angle = 40deg;

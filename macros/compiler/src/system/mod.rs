@@ -15,6 +15,7 @@ mod directions;
 mod dynamics;
 mod forest;
 mod in_space;
+mod integral;
 mod loads;
 mod magnitude;
 mod parallel;

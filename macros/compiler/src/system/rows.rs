@@ -5,9 +5,10 @@
 //! a · u − b = 0    Φ_u = a,                                  ν = b,     γ = ḃ − ȧ · u
 //! ```
 
+use super::integral::{Integrals, affine};
 use super::{Coordinate, Equation, Level};
 use crate::diag::{Diag, NoPosition, SystemFact};
-use crate::expr::{Arena, Binary, Derivatives, Expr, Jets, Leaf, Lookup, Node, Seed, Substitution, Unary, derivative};
+use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Lookup, Node, Seed, Substitution, derivative};
 use crate::model::{Model, Said};
 use crate::quantity::Dim;
 use crate::syntax::ast::Task;
@@ -100,31 +101,15 @@ pub(crate) fn coordinates_in(arena: &Arena, expr: Expr) -> Vec<usize> {
     arena.leaves(expr).into_iter().filter_map(number).collect()
 }
 
-/// a by number of the speed, and b, of an expression a · u − b.
-fn affine(arena: &mut Arena, residual: Expr) -> (Vec<(u32, Expr)>, Expr) {
-    let zero = arena.integer(0);
-    let mut still = Substitution::new();
-    let mut factors = Vec::new();
-    for leaf in arena.leaves(residual) {
-        let Leaf::Speed(number) = leaf else { continue };
-        still.replace(leaf, zero);
-        let factor = derivative(arena, residual, leaf);
-        if factor != zero {
-            factors.push((number, factor));
-        }
-    }
-    let rest = still.of(arena, residual);
-    (factors, arena.neg(rest))
-}
-
 /// Replaces rows of velocities by the rows of positions of which they are the rates, and refuses the others if they have to be solved.
 pub(super) fn integrate(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], rows: &mut [Row], diag: &mut Diag) {
     kept_joints_have_velocities(model, diag);
     let starts = starts(model, arena, coordinates, rows);
+    let integrals = Integrals::new(model, arena, coordinates, &starts);
     let mut said = Said::default();
     for row in rows.iter_mut().filter(|row| row.is_velocity && !row.is_initial) {
         let joint = &model.joints[row.joint];
-        let obstacle = match integral(arena, &starts, row.residual) {
+        let obstacle = match integrals.of(arena, row.residual) {
             Ok(_) if joint.velocity.is_some() => NoPosition::Kept,
             Ok(phi) => {
                 (row.residual, row.is_velocity) = (phi, false);
@@ -153,10 +138,11 @@ fn kept_joints_have_velocities(model: &Model, diag: &mut Diag) {
 /// * `at_level`: given, for each row whether it is still one of velocities.
 pub(super) fn integrate_again(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], rows: &mut [Row], at_level: &[bool]) {
     let starts = starts(model, arena, coordinates, rows);
+    let integrals = Integrals::new(model, arena, coordinates, &starts);
     for (row, is_velocity) in rows.iter_mut().zip(at_level) {
         if row.is_velocity
             && !is_velocity
-            && let Ok(phi) = integral(arena, &starts, row.residual)
+            && let Ok(phi) = integrals.of(arena, row.residual)
         {
             (row.residual, row.is_velocity) = (phi, false);
         }
@@ -239,75 +225,5 @@ pub(super) fn begin_at_start(model: &Model, arena: &mut Arena, coordinates: &[Co
             let start = at_start.of(arena, plain);
             row.residual = arena.sub(row.residual, start);
         }
-    }
-}
-
-/// Σ A(q) − A(q₀) − b t of a row of velocities a · u = b whose factors are derivatives of A.
-///
-/// * `starts`: given, q₀; zero where there is none.
-fn integral(arena: &mut Arena, starts: &[Option<Expr>], residual: Expr) -> Result<Expr, NoPosition> {
-    let residual = arena.plain(residual, &mut Lookup::default());
-    let (factors, side) = affine(arena, residual);
-    let mut changes = Vec::new();
-    for (number, factor) in factors {
-        let start = *starts.get(number as usize).ok_or(NoPosition::Factors)?;
-        changes.push(change(arena, number, factor, start).ok_or(NoPosition::Factors)?);
-    }
-    if !arena.is_fixed(side) {
-        return Err(NoPosition::Side);
-    }
-    let time = arena.leaf(Leaf::Time);
-    let way = arena.mul(side, time);
-    let phi = arena.neg(way);
-    Ok(changes.into_iter().fold(phi, |phi, change| arena.add(phi, change)))
-}
-
-/// A(q) − A(q₀)
-fn change(arena: &mut Arena, number: u32, factor: Expr, start: Option<Expr>) -> Option<Expr> {
-    let q = arena.leaf(Leaf::Coordinate(number));
-    if arena.is_fixed(factor) {
-        let way = start.map_or(q, |start| arena.sub(q, start));
-        return Some(arena.mul(factor, way));
-    }
-    let there = antiderivative(arena, number, factor)?;
-    let mut at_start = Substitution::new();
-    let zero = arena.integer(0);
-    at_start.replace(Leaf::Coordinate(number), start.unwrap_or(zero));
-    let begun = at_start.of(arena, there);
-    Some(arena.sub(there, begun))
-}
-
-/// A(q) with dA/dq = a(q), for a sum of fixed terms and of fixed multiples of sines and cosines, as of a point of a body that turns by q.
-fn antiderivative(arena: &mut Arena, number: u32, factor: Expr) -> Option<Expr> {
-    if arena.is_fixed(factor) {
-        let q = arena.leaf(Leaf::Coordinate(number));
-        return Some(arena.mul(factor, q));
-    }
-    let node = *arena.node(factor);
-    if let Node::Binary(Binary::Add | Binary::Sub, a, b) = node {
-        let (a, b) = (antiderivative(arena, number, a)?, antiderivative(arena, number, b)?);
-        return Some(if matches!(node, Node::Binary(Binary::Add, ..)) { arena.add(a, b) } else { arena.sub(a, b) });
-    }
-    match node {
-        Node::Unary(Unary::Neg, a) => antiderivative(arena, number, a).map(|a| arena.neg(a)),
-        Node::Binary(Binary::Mul, a, b) if arena.is_fixed(a) => antiderivative(arena, number, b).map(|b| arena.mul(a, b)),
-        Node::Binary(Binary::Mul, a, b) if arena.is_fixed(b) => antiderivative(arena, number, a).map(|a| arena.mul(a, b)),
-        Node::Binary(Binary::Div, a, b) if arena.is_fixed(b) => antiderivative(arena, number, a).map(|a| arena.div(a, b)),
-        Node::Unary(function @ (Unary::Sin | Unary::Cos), a) => {
-            let own = Leaf::Coordinate(number);
-            let is_of_own = arena.leaves(a).into_iter().all(|leaf| leaf == own || matches!(leaf, Leaf::Parameter(_)));
-            let slope = derivative(arena, a, own);
-            if !is_of_own || arena.as_constant(slope).is_none_or(|slope| slope.is_zero()) {
-                return None;
-            }
-            let area = if function == Unary::Cos {
-                arena.sin(a)
-            } else {
-                let cosine = arena.cos(a);
-                arena.neg(cosine)
-            };
-            Some(arena.div(area, slope))
-        }
-        _ => None,
     }
 }
