@@ -249,3 +249,31 @@ fn an_open_distance_is_stated_as_a_bound() {
     let said = Boom { eye: 3.0 }.solve(0.0).expect_err("the cylinder is too short").to_string();
     assert!(said.contains("joint `lift` (drive_distance, row 1 of 1) stays open by up to 2332 mm"), "{said}");
 }
+
+mechanism! {
+    /// A slide on a ramp that ends: beyond its end nothing says how high the slide is.
+    #[closure(off)]
+    mechanism Ramp {
+        param end: Angle = 60deg;
+        body arm { }
+        body slide { }
+        joint pivot = revolute(ground.position, arm.position);
+        joint rail = translational((0, 1), (0mm, 0mm), slide.position);
+        joint ramp = { (if arm.angle < end { slide.y / 1m } else { 3 }) == 1 + arm.angle / 1rad; }
+        drive motor = drive_angle(arm, 45deg);
+    }
+}
+
+/// 3 − (1 + π/4) = 1.21, whatever the height of the slide.
+#[test]
+fn an_equation_that_no_coordinate_changes_is_off_by_its_residual() {
+    let double = Ramp { end: 0.5 }.solve(0.0).expect_err("the ramp has ended").to_string();
+    let single = Ramp::<f32> { end: 0.5 }.solve(0.0).expect_err("the ramp has ended").to_string();
+    let off = 2.0 - std::f64::consts::FRAC_PI_4;
+    for said in [double, single] {
+        let right = format!("joint `ramp` (equation, row 1 of 1) is off by {off:.2e}, and no coordinate changes it");
+        assert!(said.contains(&right), "{said}");
+    }
+    let height = Ramp::default().solve(0.0).expect("the ramp goes on").slide().position.y;
+    assert!((height - (3.0 - off)).abs() < 1e-15, "{height}");
+}
