@@ -27,6 +27,25 @@ mechanism! {
 }
 
 mechanism! {
+    /// Shafts in a plane along no axis of ground.
+    pub mechanism Tilted in space {
+        param bend: Angle = 30deg;
+        param speed: AngularVelocity = 60rpm;
+        ground {
+            axis first = (2/3, 1/3, 2/3) from (1/3, 2/3, -2/3);
+            axis way = cos(bend) * (2/3, 1/3, 2/3) + sin(bend) * (2/3, -2/3, -1/3) from (1/3, 2/3, -2/3);
+        }
+        body input { axis x = (1, 0, 0) from (0, 0, 1); }
+        body even  { axis x = (1, 0, 0) from (0, 0, 1); }
+        joint bearing = revolute(ground.position, ground.first, input.position, input.x);
+        joint rzeppa = constant_velocity(input.position, input.x, even.position, even.x);
+        joint even_bearing = parallel_axes(ground.way, even.x);
+        drive motor = drive_rotation(bearing, speed * t);
+        output even = even_bearing.angle;
+    }
+}
+
+mechanism! {
     /// Two flywheels, coupled at an angle, that a torque sets in motion.
     pub mechanism Flywheels in space {
         param bend: Angle = 40deg;
@@ -93,6 +112,20 @@ fn coupled_shafts_turn_equally_at_every_bend() {
             assert!((even.value - shafts.speed * state.t).abs() < 2e-15, "{bend}°: {even:?}");
             assert!((even.rate - shafts.speed).abs() < 2e-14, "{bend}°: {even:?}");
             assert!(even.acceleration.abs() < 3e-13, "{bend}°: {even:?}");
+        }
+    }
+}
+
+/// The plane of the shafts, from which both angles are counted, is known to ε / (π − β).
+#[test]
+fn shafts_folded_onto_each_other_keep_the_digits_of_their_plane() {
+    for short in [1e-1_f64, 1e-3, 1e-5, 1e-6] {
+        let shafts = Tilted { bend: std::f64::consts::PI - short, ..Default::default() };
+        for state in shafts.sweep(times()) {
+            let state = state.expect("it turns");
+            let (even, lost) = (shafts.even(&state), f64::EPSILON / short);
+            assert!((even.value - shafts.speed * state.t).abs() < 4.0 * lost, "{short}: {even:?}");
+            assert!((even.rate - shafts.speed).abs() < 40.0 * lost, "{short}: {even:?}");
         }
     }
 }
