@@ -70,7 +70,8 @@ pub fn constraint(tokens: TokenStream) -> TokenStream {
     let Some(definitions) = syntax::parse_definitions(tokens, &mut diag) else { return diag.to_tokens() };
     check(&definitions, &mut diag);
     let (errors, exports) = (diag.to_tokens(), export::export(&definitions, !diag.is_clean()));
-    quote!(#errors #exports)
+    let unused = diag.is_clean().then(|| diag::of_unused(&hints::unused_arguments(&definitions)));
+    quote!(#errors #exports #unused)
 }
 
 /// Checks a `constraint!` invocation; for tests and tools.

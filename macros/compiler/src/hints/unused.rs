@@ -1,14 +1,15 @@
 //! Names that nothing in the declaration uses.
 //!
-//! Parameters, inputs, `let`s and functions act only through the expressions that name them: one that is named nowhere changes nothing. Points
-//! and axes are left out, since they may be read from Rust and are drawn in pictures.
+//! Parameters, inputs, `let`s, functions and arguments act only through the expressions that name them, and components through their parts: one
+//! that is named nowhere changes nothing. Points and axes are left out, since they may be read from Rust and are drawn in pictures, and so are
+//! `let`s of constraints, which are read by the names of joints.
 
 use crate::diag::{Doubt, Warning};
-use crate::syntax::ast::{Expression, ExpressionKind, Item, Mechanism, every_item};
+use crate::syntax::ast::{Defined, Definitions, Expression, ExpressionKind, Item, Mechanism, every_item};
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use std::collections::BTreeMap;
 
-/// The names of parameters, inputs, `let`s and functions that are written once, where they are declared. `tokens`: given, all of the
+/// The names of parameters, inputs, `let`s, functions, components and their arguments that are written once, where they are declared. `tokens`: given, all of the
 /// mechanism; `doubts`: given, the warnings about it.
 ///
 /// A word that is written again with another meaning counts as a use. Of a parameter whose default is doubtful one warning is enough.
@@ -27,10 +28,29 @@ pub(crate) fn unused<'a>(tree: &'a Mechanism, tokens: TokenStream, doubts: &[War
             Item::Parameter(parameter) | Item::Input(parameter) => names.push(&parameter.name),
             Item::Let(binding) => names.push(&binding.name),
             Item::Function(function) => names.push(&function.name),
+            Item::Component(component) => {
+                names.push(&component.head.name);
+                names.extend(component.head.parameters.iter().map(|formal| &formal.name));
+            }
             _ => {}
         }
     }
     names.retain(|name| written.get(&name.to_string()) == Some(&1));
+    names
+}
+
+/// The arguments of definitions in `constraint!` that are written once, where they are declared.
+pub(crate) fn unused_arguments(definitions: &Definitions) -> Vec<&Ident> {
+    let mut names = Vec::new();
+    for export in &definitions.exports {
+        let tokens_of = |defined: &Defined| export.members.iter().find(|(name, _)| *name == defined.head().name).map(|(_, tokens)| tokens);
+        for defined in &export.definitions {
+            let mut written = BTreeMap::new();
+            count(tokens_of(defined).unwrap_or(&export.tokens).clone(), &mut written);
+            let formals = defined.head().parameters.iter().map(|formal| &formal.name);
+            names.extend(formals.filter(|name| written.get(&name.to_string()) == Some(&1)));
+        }
+    }
     names
 }
 
