@@ -4,17 +4,18 @@
 //! solves it, [`constraint!`] defines a kind of joint for use in mechanisms. The modules of `reuleaux::library` document the built-in
 //! joints, drives and motion laws, one manual page each.
 //!
-//! This crate only forwards to the compiler, the ordinary library `reuleaux-compiler`.
+//! This crate only forwards to the compiler, the ordinary library `reuleaux-compiler`. The examples of its reference are tests of `reuleaux`, since
+//! they need the runtime.
 
 use proc_macro::TokenStream;
 
-#[doc = include_str!("reference/mechanism.md")]
+#[cfg_attr(not(doctest), doc = include_str!("reference/mechanism.md"))]
 #[proc_macro]
 pub fn mechanism(tokens: TokenStream) -> TokenStream {
     reuleaux_compiler::mechanism(tokens.into()).into()
 }
 
-#[doc = include_str!("reference/constraint.md")]
+#[cfg_attr(not(doctest), doc = include_str!("reference/constraint.md"))]
 #[proc_macro]
 pub fn constraint(tokens: TokenStream) -> TokenStream {
     reuleaux_compiler::constraint(tokens.into()).into()
