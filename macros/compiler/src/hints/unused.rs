@@ -9,8 +9,8 @@ use crate::syntax::ast::{Defined, Definitions, Expression, ExpressionKind, Item,
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use std::collections::BTreeMap;
 
-/// The names of parameters, inputs, `let`s, functions, components and their arguments that are written once, where they are declared. `tokens`: given, all of the
-/// mechanism; `doubts`: given, the warnings about it.
+/// The names of parameters, inputs, `let`s, functions, components and their arguments that are written once, where they are declared.
+/// `tokens`: given, all of the mechanism; `doubts`: given, the warnings about it.
 ///
 /// A word that is written again with another meaning counts as a use. Of a parameter whose default is doubtful one warning is enough.
 pub(crate) fn unused<'a>(tree: &'a Mechanism, tokens: TokenStream, doubts: &[Warning]) -> Vec<&'a Ident> {
