@@ -64,7 +64,8 @@ impl<'a> Integrals<'a> {
         };
         let is_separate = factors.iter().all(|(number, factor)| is_of_own(arena, *number, *factor));
         // Where motion follows from forces, rows of velocities hold from an assembled start, not from a declared one.
-        if !is_separate && !(self.model.task.is_solved() && factors.iter().all(|(number, _)| self.begins(*number as usize))) {
+        let has_start = self.model.task.is_solved() && factors.iter().all(|(number, _)| self.begins(*number as usize));
+        if !(is_separate || has_start) {
             return None;
         }
         let mut still = Substitution::new();
