@@ -8,7 +8,7 @@ use core::ops::Range;
 
 use nalgebra::{SMatrix, SVector, Vector2, Vector3};
 
-use crate::linear::zeros;
+use crate::linear::{counted, zeros};
 use crate::number::Scalar;
 use crate::state::{PlanarBody, SpatialBody};
 
@@ -159,8 +159,10 @@ impl<T: Scalar, const M: usize, const A: usize> Loads<T, M, A> {
         }
         // The columns of Φ_u are the rows of its transpose.
         let rows = &mut jacobian.data.0;
-        let mut right = unbalanced.data.0[0].map(|force| -force);
-        let mut coupled: [(usize, T); U] = core::array::from_fn(|row| (row, right[row].abs()));
+        let (mut right, mut coupled) = (unbalanced.data.0[0], [(0, T::of(0.0)); U]);
+        for (row, (force, coupled)) in right.iter_mut().zip(&mut coupled).enumerate() {
+            (*force, *coupled) = (-*force, (row, force.abs()));
+        }
         let (pivots, rank) = eliminate(rows, &mut right, &mut coupled);
         let mut multipliers = SVector::<T, M>::from_element(T::of(0.0));
         for (multiplier, value) in pivots.iter().zip(&right).take(rank) {
@@ -233,16 +235,25 @@ impl<T: Scalar, const M: usize, const A: usize> Loads<T, M, A> {
     #[doc(hidden)]
     #[must_use]
     pub fn multipliers_from<const K: usize>(&self, first: usize) -> [T; K] {
-        core::array::from_fn(|k| self.multipliers.get(first + k).copied().unwrap_or(T::of(f64::NAN)))
+        from_place(self.multipliers.as_slice(), first)
     }
 
     pub(super) fn actions_from<const K: usize>(&self, at: usize) -> [T; K] {
-        core::array::from_fn(|k| self.actions.get(at + k).copied().unwrap_or(T::of(f64::NAN)))
+        from_place(self.actions.as_slice(), at)
     }
 
     fn are_unique(&self, equations: Range<usize>) -> bool {
         self.is_unique.get(equations).is_some_and(|unique| unique.iter().all(|unique| *unique))
     }
+}
+
+/// Numbers from a place on; NaN beyond the last one.
+fn from_place<T: Scalar, const K: usize>(values: &[T], first: usize) -> [T; K] {
+    let mut found = [T::of(f64::NAN); K];
+    for (found, value) in found.iter_mut().zip(values.iter().skip(first)) {
+        *found = *value;
+    }
+    found
 }
 
 /// Gauss-Jordan elimination of rows with complete pivoting: afterwards the columns `pivots[..rank]` are unit vectors in this order. Returns all
@@ -255,9 +266,10 @@ fn eliminate<T: Scalar, const M: usize, const U: usize>(
     right: &mut [T; U],
     coupled: &mut [(usize, T); U],
 ) -> ([usize; M], usize) {
-    let mut pivots: [usize; M] = core::array::from_fn(|k| k);
-    let mut largest = T::of(0.0);
-    let mut sizes = rows.each_ref().map(|row| largest_of(row, &pivots));
+    let (mut pivots, mut largest, mut sizes) = (counted::<M>(), T::of(0.0), [(T::of(0.0), 0); U]);
+    for (size, row) in sizes.iter_mut().zip(rows.iter()) {
+        *size = largest_of(row, &pivots);
+    }
     for rank in 0..M.min(U) {
         let mut best = (T::of(0.0), rank, rank);
         for (row, (size, column)) in sizes.iter().enumerate().skip(rank) {
@@ -275,12 +287,12 @@ fn eliminate<T: Scalar, const M: usize, const U: usize>(
         sizes.swap(rank, row);
         coupled.swap(rank, row);
         let pivot = rows[rank][column];
-        let own = rows[rank].map(|entry| entry / pivot);
-        (rows[rank], right[rank]) = (own, right[rank] / pivot);
-        let side = right[rank];
-        for row in (0..U).filter(|row| *row != rank) {
+        rows[rank].iter_mut().for_each(|entry| *entry = *entry / pivot);
+        right[rank] = right[rank] / pivot;
+        let (own, side) = (rows[rank], right[rank]);
+        for row in 0..U {
             let factor = rows[row][column];
-            if factor != T::of(0.0) {
+            if row != rank && factor != T::of(0.0) {
                 for (entry, own) in rows[row].iter_mut().zip(&own) {
                     *entry = *entry - factor * *own;
                 }

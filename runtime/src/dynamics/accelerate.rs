@@ -9,7 +9,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::equations::{Balance, Dynamics};
 use super::partition::{Partition, Pivots, Redundant, WORSE};
-use super::places::moved;
+use super::places::{are_finite, moved};
 use super::stopped::Stopped;
 use crate::number::Scalar;
 
@@ -69,8 +69,7 @@ where
         }
         *right = -dot(&side, &motion);
     }
-    let order: [usize; I] = core::array::from_fn(|place| parts.independent_at(place));
-    solve(mass, &order, &mut right, count).map_err(|k| {
+    solve(mass, &parts.order_of_independent(), &mut right, count).map_err(|k| {
         if !is_finite((q, qd), t) {
             return Stopped::NotFinite { time: t };
         }
@@ -82,7 +81,7 @@ where
 }
 
 fn is_finite<T: Scalar, const N: usize>((q, qd): (&SVector<T, N>, &SVector<T, N>), t: T) -> bool {
-    q.iter().chain(qd).chain([&t]).all(|value| value.to_f64().is_finite())
+    are_finite(q.as_slice()) && are_finite(qd.as_slice()) && t.is_finite()
 }
 
 /// The failure if a row depends on the others.
@@ -117,13 +116,24 @@ where
 
 /// `length` for coordinates in m, 1 for the others.
 fn where_lengths<T: Scalar, const I: usize>(is_length: &[bool; I], length: T) -> [T; I] {
-    is_length.map(|is_length| if is_length { length } else { T::of(1.0) })
+    let mut lengths = [T::of(1.0); I];
+    for (own, is_length) in lengths.iter_mut().zip(is_length) {
+        if *is_length {
+            *own = length;
+        }
+    }
+    lengths
 }
 
 /// For each of the first rows its power of `length`.
 fn powers<T: Scalar, const R: usize, const K: usize>(powers: &[u8; R], length: T) -> [T; K] {
-    let power = |row: usize| powers.get(row).copied().unwrap_or(0);
-    core::array::from_fn(|row| (0..power(row)).fold(T::of(1.0), |size, _| size * length))
+    let mut sizes = [T::of(1.0); K];
+    for (size, power) in sizes.iter_mut().zip(powers) {
+        for _ in 0..*power {
+            *size = *size * length;
+        }
+    }
+    sizes
 }
 
 /// A product with a symmetric matrix, of which the lower triangle counts.
@@ -169,8 +179,12 @@ fn solve<T: Scalar, const I: usize>(
     right: &mut [T; I],
     count: usize,
 ) -> Result<(), usize> {
-    let at = |row: usize, column: usize| [order.get(row), order.get(column)].map(|place| place.copied().unwrap_or(I));
-    let before: [T; I] = core::array::from_fn(|k| entry(matrix, at(k, k)));
+    let place = |row: usize| order.get(row).copied().unwrap_or(I);
+    let at = |row: usize, column: usize| [place(row), place(column)];
+    let mut before = [T::ZERO; I];
+    for (k, before) in before.iter_mut().enumerate() {
+        *before = entry(matrix, at(k, k));
+    }
     for k in 0..I {
         if k >= count {
             break;

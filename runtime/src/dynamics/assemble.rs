@@ -10,9 +10,10 @@ use super::accelerate::{lengths, redundant, singular};
 use super::checks::{holds, unit_of};
 use super::equations::{Constraints, Dynamics};
 use super::partition::{Partition, Pivots, weakest};
-use super::places::{largest, moved, picked, put};
+use super::places::{farthest, moved, picked, put};
 use super::project::{Open, Reached, gap, levels, project_onto, refresh};
 use super::stopped::Stopped;
+use crate::linear;
 use crate::number::Scalar;
 use crate::number::order::smaller;
 use crate::state::State;
@@ -76,8 +77,7 @@ where
     if let Some(defaults) = mechanism.interpolated(T::ZERO) {
         let (mut origin, mut speeds) = (*q, *qd);
         let closes = close(&defaults, None, (&mut origin, &mut speeds)).is_ok();
-        let [from, to] = [&*q, &origin].map(|place| picked(place, &S::INTEGRATED));
-        if closes && largest(&moved(&to, T::of(-1.0), &from), &lengths(mechanism)) <= T::of(FAR) {
+        if closes && farthest([&*q, &origin], &S::INTEGRATED, &lengths(mechanism)) <= T::of(FAR) {
             return follow(mechanism, &origin, (q, qd));
         }
     }
@@ -90,7 +90,6 @@ where
 }
 
 /// Moves a place until all equations at t = 0 hold, and sets its speeds. Returns an order of the elimination of J there.
-#[inline(never)]
 fn close<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     known: Option<&Pivots<T, R, I>>,
@@ -101,8 +100,30 @@ where
     S: Dynamics<T, N, I, M, R>,
 {
     let mut reached = Reached::empty();
-    project_onto(mechanism, known, place, |q, found| mechanism.initial(q, T::ZERO, found), &mut reached)?;
+    close_but_for(mechanism, None, known, place, &mut reached)?;
     Ok(reached.pivots)
+}
+
+/// The same, but for a fraction of given residuals.
+#[inline(never)]
+fn close_but_for<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    left: Option<(T, &SVector<T, R>)>,
+    known: Option<&Pivots<T, R, I>>,
+    place: (&mut SVector<T, N>, &mut SVector<T, N>),
+    reached: &mut Reached<T, R, I>,
+) -> Result<(), Open<T>>
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let equations = |q: &SVector<T, N>, found: &mut Constraints<T, R, I>| {
+        mechanism.initial(q, T::ZERO, found);
+        if let Some((fraction, open)) = left {
+            found.phi = linear::moved(&found.phi, -fraction, open);
+        }
+    };
+    project_onto(mechanism, known, place, equations, reached)
 }
 
 /// Follows the branch from a place at the defaults.
@@ -135,13 +156,11 @@ where
         let known = rows.as_ref().filter(|_| S::REDUNDANT > 0);
         let found = close(at, known, (&mut place, &mut speeds));
         let after = picked(&place, &S::INTEGRATED);
-        let is_short = (0..I).all(|k| {
-            let [way, beside] = [&before, &predicted].map(|from| ((after[k] - from[k]) / lengths[k]).abs());
-            if S::IS_LENGTH[k] { beside <= T::of(BESIDE) * (way + one) } else { way <= T::of(LONGEST) && beside <= T::of(BESIDE) }
-        });
+        let is_short = is_short([&before, &predicted, &after], &lengths, &S::IS_LENGTH);
         if let (Ok(pivots), true, true) = (found, is_short, side_of(at, &place) == side) {
             rows = Some(pivots);
-            slope = moved(&after, -one, &before).map(|change| change / by);
+            slope = moved(&after, -one, &before);
+            slope.iter_mut().for_each(|change| *change = *change / by);
             (here, reached, step) = (place, next, step + step);
             if next == one {
                 (*q, *qd) = (place, speeds);
@@ -164,8 +183,7 @@ where
     for guess in [here, start] {
         let (mut place, mut speeds) = (guess, SVector::from_element(T::ZERO));
         let found = close(mechanism, None, (&mut place, &mut speeds));
-        let [from, to] = [&guess, &place].map(|place| picked(place, &S::INTEGRATED));
-        if found.is_ok() && largest(&moved(&to, -one, &from), &lengths) <= T::of(TURNED) && accepts(place, speeds) {
+        if found.is_ok() && farthest([&guess, &place], &S::INTEGRATED, &lengths) <= T::of(TURNED) && accepts(place, speeds) {
             return Ok(());
         }
     }
@@ -180,6 +198,15 @@ where
     let [of_positions, _] = levels(&S::LEVELS);
     let (row, residual) = gap(&initial_at(mechanism, &here), &of_positions);
     Err(Open::Residual(row, residual))
+}
+
+/// True if a step along the tangent is short, and ends near the place that was predicted.
+fn is_short<T: Scalar, const I: usize>([before, predicted, after]: [&[T; I]; 3], lengths: &[T; I], are_lengths: &[bool; I]) -> bool {
+    (0..I).all(|k| {
+        let way = ((after[k] - before[k]) / lengths[k]).abs();
+        let beside = ((after[k] - predicted[k]) / lengths[k]).abs();
+        if are_lengths[k] { beside <= T::of(BESIDE) * (way + T::of(1.0)) } else { way <= T::of(LONGEST) && beside <= T::of(BESIDE) }
+    })
 }
 
 /// Φ, J and ν of all equations at t = 0.
@@ -236,20 +263,14 @@ where
 {
     let lengths = lengths(mechanism);
     let open = initial_at(mechanism, q).phi;
-    // The equations after a part of the way: the rest of the residuals at the declared start is left open.
-    let at = |part: T| {
-        move |q: &SVector<T, N>, found: &mut Constraints<T, R, I>| {
-            mechanism.initial(q, T::ZERO, found);
-            found.phi = SVector::from(moved(&found.phi.data.0[0], part - T::of(1.0), &open.data.0[0]));
-        }
-    };
     let (mut done, mut part, mut reached) = (T::ZERO, T::of(1.0), Reached::empty());
     while done < T::of(1.0) && part >= T::of(SHORTEST) {
         let next = smaller(done + part, T::of(1.0));
         let (mut place, mut speeds) = (*q, *qd);
-        let found = project_onto(mechanism, None, (&mut place, &mut speeds), at(next), &mut reached);
-        let [before, after] = [&*q, &place].map(|place| picked(place, &S::INTEGRATED));
-        if found.is_ok() && largest(&moved(&after, T::of(-1.0), &before), &lengths) <= T::of(FAR) {
+        // The rest of the residuals at the declared start is left open.
+        let left = Some((T::of(1.0) - next, &open));
+        let found = close_but_for(mechanism, left, None, (&mut place, &mut speeds), &mut reached);
+        if found.is_ok() && farthest([&*q, &place], &S::INTEGRATED, &lengths) <= T::of(FAR) {
             (*q, *qd, done, part) = (place, speeds, next, part * T::of(2.0));
         } else {
             part = part * T::of(0.5);

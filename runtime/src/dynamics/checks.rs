@@ -51,7 +51,11 @@ where
 
 /// The unit of the rows of a joint; empty if they have several.
 pub(super) fn unit_of<T: Scalar, S: Description<T, N>, const N: usize>(joint: &str) -> &'static str {
+    unit_among(S::ROWS, joint)
+}
+
+fn unit_among(rows: &[Row], joint: &str) -> &'static str {
     let is_of_it = |row: &&Row| row.joint == joint;
-    let first = S::ROWS.iter().find(is_of_it).map_or("", |row| row.unit);
-    if S::ROWS.iter().filter(is_of_it).all(|row| row.unit == first) { first } else { "" }
+    let first = rows.iter().find(is_of_it).map_or("", |row| row.unit);
+    if rows.iter().filter(is_of_it).all(|row| row.unit == first) { first } else { "" }
 }

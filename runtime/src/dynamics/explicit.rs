@@ -36,9 +36,7 @@ impl Method for Explicit {
             let before = picked(vector, &S::INTEGRATED);
             put(vector, &S::INTEGRATED, &moved(&before, h, &steps));
         }
-        let [fifth, third] = errors(&rates);
-        let errors = core::array::from_fn(|part| core::array::from_fn(|k| [h * fifth[part][k], h * third[part][k]]));
-        Ok(Trial { end, errors, rates: Some(rates) })
+        Ok(Trial { end, errors: errors(&rates, h), rates: Some(rates) })
     }
 }
 
@@ -52,9 +50,9 @@ where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    let [q, u, a] = [&state.q, &state.qd, &state.qdd].map(|vector| picked(vector, &S::INTEGRATED));
+    let (q, u) = (picked(&state.q, &S::INTEGRATED), picked(&state.qd, &S::INTEGRATED));
     let mut rates = [[[T::ZERO; I]; 2]; STAGES];
-    rates[0] = [u, a];
+    rates[0] = [u, picked(&state.qdd, &S::INTEGRATED)];
     let (mut there, mut moving, mut pivots) = (state.q, state.qd, None);
     for number in 1..STAGES {
         let [of_positions, of_speeds] = stage(number, &rates);

@@ -288,7 +288,8 @@ where
     S: Dynamics<T, N, I, M, R>,
 {
     let lengths = lengths(mechanism);
-    let [speed, acceleration] = [&state.qd, &state.qdd].map(|vector| largest(&picked(vector, &S::INTEGRATED), &lengths));
+    let speed = largest(&picked(&state.qd, &S::INTEGRATED), &lengths);
+    let acceleration = largest(&picked(&state.qdd, &S::INTEGRATED), &lengths);
     let hundredth = T::of(0.01);
     let by_acceleration = (hundredth / acceleration.max(T::of(1e-8))).sqrt();
     smaller(hundredth / speed.max(T::of(1e-8)), by_acceleration)

@@ -2,6 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::linear::counted;
 use crate::number::Scalar;
 use crate::number::order::smaller;
 
@@ -71,7 +72,13 @@ impl<T, const M: usize, const I: usize> Pivots<T, M, I> {
 
     /// Those of the rows that have a pivot.
     pub(super) fn among(&self, rows: &[bool; M]) -> [bool; M] {
-        core::array::from_fn(|row| rows[row] && self.rows.iter().take(self.count).any(|own| *own == row))
+        let mut among = [false; M];
+        for row in self.rows.iter().take(self.count) {
+            if let (Some(is_among), Some(is_one)) = (among.get_mut(*row), rows.get(*row)) {
+                *is_among = *is_one;
+            }
+        }
+        among
     }
 
     /// The smallest pivot relative to the natural size of its row.
@@ -104,7 +111,11 @@ impl<T, const M: usize, const I: usize> Pivots<T, M, I> {
 /// A row of a matrix.
 #[inline(always)]
 fn row_of<T: Scalar, const M: usize, const I: usize>(matrix: &SMatrix<T, M, I>, row: usize) -> [T; I] {
-    matrix.data.0.each_ref().map(|column| column.get(row).copied().unwrap_or(T::ZERO))
+    let mut entries = [T::ZERO; I];
+    for (entry, column) in entries.iter_mut().zip(&matrix.data.0) {
+        *entry = column.get(row).copied().unwrap_or(T::ZERO);
+    }
+    entries
 }
 
 /// Writes the rows of a matrix in the order of the pivots.
@@ -157,7 +168,11 @@ impl<'a, T: Scalar, const I: usize> Subtrahend<'a, T, I> {
 
 /// Some entries of a list, in another order.
 fn ordered<X: Copy, const K: usize, const L: usize>(list: &[X; K], order: &[usize; L], otherwise: X) -> [X; L] {
-    order.map(|place| list.get(place).copied().unwrap_or(otherwise))
+    let mut entries = [otherwise; L];
+    for (entry, place) in entries.iter_mut().zip(order) {
+        *entry = list.get(*place).copied().unwrap_or(otherwise);
+    }
+    entries
 }
 
 fn exchange<X: Copy>(list: &mut [X], one: usize, two: usize) {
@@ -233,7 +248,7 @@ impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
         let (mut sizes, mut lengths) = ([T::ZERO; M], *lengths);
         let mut count = 0_usize;
         self.rank = 0;
-        self.pivots = Pivots { unknowns: core::array::from_fn(|k| k), ..Pivots::none() };
+        self.pivots = Pivots { unknowns: counted(), ..Pivots::none() };
         let mut open = self.rows.iter_mut().zip(&mut self.side).zip(&mut self.pivots.rows).zip(&mut sizes);
         for ((number, value), takes_part) in side.iter().enumerate().zip(takes_part) {
             if !takes_part {
@@ -247,7 +262,10 @@ impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
             }
         }
         self.pivots.count = count.saturating_sub(redundant.count);
-        let mut largest = self.rows.each_ref().map(|row| largest_of(row, &lengths, 0));
+        let mut largest = [(T::ZERO, 0); M];
+        for (largest, row) in largest.iter_mut().zip(&self.rows).take(count) {
+            *largest = largest_of(row, &lengths, 0);
+        }
         while self.rank < self.pivots.count {
             let rank = self.rank;
             // A row without entries stays as it is.
@@ -269,8 +287,13 @@ impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
             exchange(&mut largest, rank, row);
             exchange(&mut self.pivots.unknowns, rank, column);
             exchange(&mut lengths, rank, column);
-            self.rows.iter_mut().take(count).for_each(|row| exchange(row, rank, column));
-            let changes = self.rows.each_ref().map(|row| row.get(rank).is_some_and(|entry| *entry != T::ZERO));
+            for row in self.rows.iter_mut().take(count) {
+                exchange(row, rank, column);
+            }
+            let mut changes = [false; M];
+            for (changes, row) in changes.iter_mut().zip(&self.rows).take(count) {
+                *changes = row.get(rank).is_some_and(|entry| *entry != T::ZERO);
+            }
             self.eliminate(count);
             let others = self.rows.iter().zip(&mut largest).zip(changes).take(count).skip(rank + 1);
             for ((row, found), changes) in others {
@@ -289,7 +312,7 @@ impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
     fn is_good_along(&mut self, (matrix, side): Rows<T, M, I>, pivots: &Pivots<T, M, I>, fraction: T) -> bool {
         (self.rank, self.pivots) = (0, *pivots);
         arrange(matrix, pivots, &mut self.rows);
-        self.side = pivots.rows.map(|row| side.get(row).copied().unwrap_or(T::ZERO));
+        self.side = ordered(&side.data.0[0], &pivots.rows, T::ZERO);
         for (k, before) in pivots.sizes.iter().enumerate().take(pivots.count) {
             let own = self.rows.get(k).and_then(|row| row.get(k)).map_or(T::ZERO, |own| own.abs());
             let is_as_good = own >= fraction * *before;
@@ -307,10 +330,11 @@ impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
     fn eliminate(&mut self, count: usize) {
         let k = self.rank;
         self.rank += 1;
-        let (Some(&own), Some(&side)) = (self.rows.get(k), self.side.get(k)) else { return };
-        let pivot = own.get(k).copied().unwrap_or(T::ZERO);
+        let (Some(&row), Some(&side)) = (self.rows.get(k), self.side.get(k)) else { return };
+        let pivot = row.get(k).copied().unwrap_or(T::ZERO);
         let inverse = T::of(1.0) / pivot;
-        let (own, side) = (own.map(|entry| entry * inverse), side * inverse);
+        let (mut own, side) = (row, side * inverse);
+        own.iter_mut().for_each(|entry| *entry = *entry * inverse);
         let subtrahend = Subtrahend::new(&own);
         for (row, (entries, value)) in self.rows.iter_mut().zip(&mut self.side).enumerate().take(count) {
             if row == k {
@@ -368,9 +392,18 @@ impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
         self.pivots.unknowns.get(self.rank + place).copied().unwrap_or(0)
     }
 
+    /// The independent unknowns, in their order; zeros follow.
+    pub(super) fn order_of_independent(&self) -> [usize; I] {
+        let mut order = [0; I];
+        for (own, unknown) in order.iter_mut().zip(self.pivots.unknowns.iter().skip(self.rank)) {
+            *own = *unknown;
+        }
+        order
+    }
+
     /// The entries of the independent unknowns, by their places.
     pub(super) fn independent_of(&self, values: &[T; I]) -> [T; I] {
-        core::array::from_fn(|place| values.get(self.independent_at(place)).copied().unwrap_or(T::ZERO))
+        ordered(values, &self.order_of_independent(), T::ZERO)
     }
 
     /// Number of independent unknowns.

@@ -1,4 +1,6 @@
 //! Integrated entries of the vectors of a state.
+//!
+//! Loops, not closures over arrays: in functions of a mechanism these would be compiled once for each mechanism.
 
 use nalgebra::SVector;
 
@@ -7,7 +9,13 @@ use crate::number::Scalar;
 /// Some entries of a vector.
 #[inline(always)]
 pub(super) fn picked<T: Scalar, const N: usize, const I: usize>(vector: &SVector<T, N>, places: &[usize; I]) -> [T; I] {
-    places.map(|place| vector.get(place).copied().unwrap_or(T::ZERO))
+    let mut values = [T::ZERO; I];
+    for (value, place) in values.iter_mut().zip(places) {
+        if let Some(entry) = vector.get(*place) {
+            *value = *entry;
+        }
+    }
+    values
 }
 
 /// Writes some entries of a vector.
@@ -23,7 +31,11 @@ pub(super) fn put<T: Scalar, const N: usize, const I: usize>(vector: &mut SVecto
 /// x + h y
 #[inline(always)]
 pub(super) fn moved<T: Scalar, const I: usize>(x: &[T; I], h: T, y: &[T; I]) -> [T; I] {
-    core::array::from_fn(|k| x[k] + h * y[k])
+    let mut sums = *x;
+    for (sum, y) in sums.iter_mut().zip(y) {
+        *sum = *sum + h * *y;
+    }
+    sums
 }
 
 /// True if all entries are finite. A finite sum has finite terms; each is looked at only where the sum is not. Four sums, which the processor
@@ -34,13 +46,29 @@ pub(super) fn is_finite<T: Scalar, const N: usize>(vector: &SVector<T, N>) -> bo
     let fours = vector.as_slice().chunks_exact(4);
     let rest = fours.remainder().iter().fold(T::ZERO, |sum, value| sum + *value);
     for four in fours {
-        sums = core::array::from_fn(|k| sums[k] + four[k]);
+        for (sum, value) in sums.iter_mut().zip(four) {
+            *sum = *sum + *value;
+        }
     }
     let sum = (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest;
-    sum.is_finite() || vector.as_slice().iter().all(|value| value.is_finite())
+    sum.is_finite() || are_finite(vector.as_slice())
+}
+
+/// True if all numbers are finite; they are looked at one by one.
+pub(super) fn are_finite<T: Scalar>(values: &[T]) -> bool {
+    values.iter().all(|value| value.is_finite())
 }
 
 /// The largest of some numbers, each divided by its length.
 pub(super) fn largest<T: Scalar, const I: usize>(values: &[T; I], lengths: &[T; I]) -> T {
     values.iter().zip(lengths).fold(T::ZERO, |largest, (value, length)| largest.max((*value / *length).abs()))
+}
+
+/// The largest change of some entries of a vector, each divided by its length.
+pub(super) fn farthest<T: Scalar, const N: usize, const I: usize>(
+    [from, to]: [&SVector<T, N>; 2],
+    places: &[usize; I],
+    lengths: &[T; I],
+) -> T {
+    largest(&moved(&picked(to, places), T::of(-1.0), &picked(from, places)), lengths)
 }

@@ -5,8 +5,9 @@ use nalgebra::SVector;
 use super::accelerate::{eliminated, lengths, redundant};
 use super::equations::{Constraints, Dynamics};
 use super::partition::{ABOUT_AS_GOOD, Partition, Pivots, WORSE};
-use super::places::{is_finite, largest, moved, picked, put};
+use super::places::{are_finite, is_finite, largest, moved, picked, put};
 use super::stopped::Stopped;
+use crate::linear::scaled;
 use crate::number::Scalar;
 use crate::state::State;
 
@@ -79,7 +80,7 @@ where
     let mut open = gap(here, &of_positions);
     let mut parts = Partition::empty();
     for _ in 0..CORRECTIONS {
-        let side = here.phi.map(|phi| -phi);
+        let side = scaled(&here.phi, T::of(-1.0));
         let known = kept.as_ref().map(|pivots| (pivots, fraction));
         parts.solve((&here.jacobian, &side), known, &lengths, &of_positions, &redundant).map_err(Open::Dependent)?;
         let mut counts = of_positions;
@@ -90,7 +91,7 @@ where
         }
         let correction = parts.unknowns(&[T::ZERO; I]);
         let size = largest(&correction, &lengths);
-        if !correction.iter().all(|correction| correction.is_finite()) {
+        if !are_finite(&correction) {
             break;
         }
         // Newton's method converges quadratically.
@@ -142,7 +143,10 @@ impl<T> Open<T> {
 /// The row that is open furthest, and its residual; the first one whose residual is not a number.
 pub(super) fn gap<T: Scalar, const K: usize, const I: usize>(here: &Constraints<T, K, I>, counts: &[bool; K]) -> (usize, T) {
     let mut gap = (0, T::ZERO);
-    for (row, (phi, _)) in here.phi.iter().zip(counts).enumerate().filter(|(_, (_, counts))| **counts) {
+    for (row, (phi, counts)) in here.phi.iter().zip(counts).enumerate() {
+        if !counts {
+            continue;
+        }
         let size = phi.abs();
         if !size.is_finite() {
             return (row, size);

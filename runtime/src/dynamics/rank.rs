@@ -65,7 +65,8 @@ where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    let [before, after] = [(start, from), (end, to)].map(|(rows, state)| by_turns::<T, S, N, I, M, R>(rows, &state.q));
+    let before = by_turns::<T, S, N, I, M, R>(start, &from.q);
+    let after = by_turns::<T, S, N, I, M, R>(end, &to.q);
     let (mut parts, none) = (Partition::empty(), SVector::from_element(T::ZERO));
     let again = parts.pivot((&after, &none), &lengths(mechanism), &[true; M], &redundant(mechanism));
     again.is_ok() && !has_other_signs(&before, &after, &parts.pivots)
@@ -180,22 +181,27 @@ where
     S: Dynamics<T, N, I, M, R>,
 {
     let (mut turned, components) = (*rows, picked(q, &S::INTEGRATED));
-    let is_first = |unknown: &usize| S::COORDINATES.get(*unknown).is_some_and(|coordinate| coordinate.name == "e0");
-    for first in S::INTEGRATED.iter().enumerate().filter(|(_, unknown)| is_first(unknown)).map(|(place, _)| place) {
-        let (Some(&[w, x, y, z]), Some([a, b, c, d])) =
-            (components.get(first..).and_then(<[T]>::first_chunk), turned.data.0.get_mut(first..).and_then(<[_]>::first_chunk_mut))
-        else {
-            continue;
-        };
-        // By e, e i, e j and e k.
-        for (((a, b), c), d) in a.iter_mut().zip(b).zip(c).zip(d) {
-            (*a, *b, *c, *d) = (
-                w * *a + x * *b + y * *c + z * *d,
-                w * *b - x * *a + z * *c - y * *d,
-                w * *c - y * *a - z * *b + x * *d,
-                w * *d - z * *a + y * *b - x * *c,
-            );
+    for (first, unknown) in S::INTEGRATED.iter().enumerate() {
+        if S::COORDINATES.get(*unknown).is_some_and(|coordinate| coordinate.name == "e0") {
+            turn(&mut turned, &components, first);
         }
     }
     turned
+}
+
+/// The columns of a quaternion, which begin at a place, become those by e, e i, e j and e k.
+fn turn<T: Scalar, const M: usize, const I: usize>(rows: &mut SMatrix<T, M, I>, components: &[T; I], first: usize) {
+    let (Some(&[w, x, y, z]), Some([a, b, c, d])) =
+        (components.get(first..).and_then(<[T]>::first_chunk), rows.data.0.get_mut(first..).and_then(<[_]>::first_chunk_mut))
+    else {
+        return;
+    };
+    for (((a, b), c), d) in a.iter_mut().zip(b).zip(c).zip(d) {
+        (*a, *b, *c, *d) = (
+            w * *a + x * *b + y * *c + z * *d,
+            w * *b - x * *a + z * *c - y * *d,
+            w * *c - y * *a - z * *b + x * *d,
+            w * *d - z * *a + y * *b - x * *c,
+        );
+    }
 }

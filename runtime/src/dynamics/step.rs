@@ -8,7 +8,7 @@ use super::equations::Dynamics;
 use super::explicit::Explicit;
 use super::jump::no_speed_jumps;
 use super::method::{Method, Trial};
-use super::places::{is_finite, largest, moved, picked};
+use super::places::{farthest, is_finite, largest, picked};
 use super::project::{Reached, project, refresh};
 use super::rank::{is_regular, keeps_rank, too_short};
 use super::stopped::Stopped;
@@ -72,7 +72,7 @@ where
     let known = before.map(|before| &before.pivots);
     project(mechanism, known, (&mut q, &mut qd), t, reached).map_err(|open| singular::<T, S, N, I, M, R>(t, open.row()))?;
     holds::<T, S, N, I, M, R>(mechanism, &q, t)?;
-    let fastest = [&from.qd, &trial.end[1]].into_iter().fold(fastest, |fastest, speeds| fastest.max(speed(mechanism, speeds)));
+    let fastest = fastest.max(speed(mechanism, &from.qd)).max(speed(mechanism, &trial.end[1]));
     // Positions are rounded to ε / p, p the smallest pivot, and speeds to that over p.
     let pivot = reached.pivots.smallest(&lengths(mechanism), &redundant(mechanism).sizes);
     let tolerance = tolerance.max(T::of(ROUNDING) * T::EPSILON / (pivot * pivot));
@@ -99,10 +99,9 @@ where
 {
     let (lengths, none) = (lengths(mechanism), T::of(STRICTEST) * T::EPSILON);
     let tolerance = tolerance.max(none);
-    let [q, u] = before.map(|vector| picked(vector, &S::INTEGRATED));
-    let [q_there, u_there] = after.map(|vector| picked(vector, &S::INTEGRATED));
-    let way = |one: &[T; I], other: &[T; I]| largest(&moved(other, T::of(-1.0), one), &lengths);
-    way(&q, &q_there) <= tolerance * largest(&q, &lengths).max(T::of(1.0)) && way(&u, &u_there) <= none.max(tolerance * fastest)
+    let ([q, u], [q_there, u_there]) = (before, after);
+    farthest([q, q_there], &S::INTEGRATED, &lengths) <= tolerance * largest(&picked(q, &S::INTEGRATED), &lengths).max(T::of(1.0))
+        && farthest([u, u_there], &S::INTEGRATED, &lengths) <= none.max(tolerance * fastest)
 }
 
 /// The largest speed, in L/s and rad/s.
@@ -144,20 +143,31 @@ where
 {
     let lengths = lengths(mechanism);
     let [end, moving] = &trial.end;
-    for vector in [&state.qd, moving] {
-        fastest = fastest.max(speed(mechanism, vector));
-    }
-    let [before, after] = [&state.q, end].map(|vector| picked(vector, &S::INTEGRATED));
-    let (mut first, mut second, allowed) = (T::ZERO, T::ZERO, T::of(EACH) * tolerance);
+    fastest = fastest.max(speed(mechanism, &state.qd)).max(speed(mechanism, moving));
+    let (before, after) = (picked(&state.q, &S::INTEGRATED), picked(end, &S::INTEGRATED));
+    let allowed = T::of(EACH) * tolerance;
+    let of_values = error_of_values([&before, &after], &trial.errors, &lengths, (allowed, fastest.max(T::of(SLOW) / h.abs())));
+    let of_derivatives = error_of_derivatives(mechanism, state, trial, h, (tolerance, fastest));
+    (of_values.max(of_derivatives), fastest)
+}
+
+/// Estimated error of a step in positions and speeds, relative to an error allowed.
+fn error_of_values<T: Scalar, const I: usize>(
+    [before, after]: [&[T; I]; 2],
+    errors: &[[[T; 2]; I]; 2],
+    lengths: &[T; I],
+    (allowed, speed): (T, T),
+) -> T {
+    let (mut first, mut second) = (T::ZERO, T::ZERO);
     for k in 0..I {
         let value = (before[k] / lengths[k]).abs().max((after[k] / lengths[k]).abs()).max(T::of(1.0));
-        for (errors, scale) in trial.errors.iter().zip([value, fastest.max(T::of(SLOW) / h.abs())]) {
-            let [one, two] = errors[k].map(|error| error / (allowed * scale * lengths[k]));
+        for (errors, scale) in errors.iter().zip([value, speed]) {
+            let size = allowed * scale * lengths[k];
+            let (one, two) = (errors[k][0] / size, errors[k][1] / size);
             (first, second) = (first + one * one, second + two * two);
         }
     }
-    let of_derivatives = error_of_derivatives(mechanism, state, trial, h, (tolerance, fastest));
-    (combined::<T, I>(first, second).max(of_derivatives), fastest)
+    combined::<T, I>(first, second)
 }
 
 /// Estimated error of a step in the derivatives by parameters, relative to the tolerance and to the largest of them.
@@ -175,28 +185,41 @@ where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    let mut worst = T::ZERO;
     // Plain numbers have none.
     if T::ZERO.derivative(0).is_none() || h.abs() <= T::of(SHORT) * T::EPSILON * (state.t.abs() + h.abs()) {
-        return worst;
+        return T::ZERO;
     }
-    let (lengths, allowed) = (lengths(mechanism), T::of(LOOSER * EACH) * tolerance);
-    let vectors = [&state.q, &trial.end[0], &state.qd, &trial.end[1]].map(|vector| picked(vector, &S::INTEGRATED));
-    let [q, q_there, ..] = vectors.map(|values| largest(&values, &lengths).without_derivatives());
-    let farthest = q.max(q_there).max(T::of(1.0));
+    let [end, moving] = &trial.end;
+    let values = [picked(&state.q, &S::INTEGRATED), picked(end, &S::INTEGRATED)];
+    let rates = [picked(&state.qd, &S::INTEGRATED), picked(moving, &S::INTEGRATED)];
+    let allowed = T::of(LOOSER * EACH) * tolerance;
+    let parameter_size = |parameter: usize| mechanism.parameter_size(parameter);
+    largest_error_of_derivatives((&values, &rates), &trial.errors, &lengths(mechanism), (allowed, h.abs(), fastest), &parameter_size)
+}
+
+/// The error by the parameter by which it is largest.
+fn largest_error_of_derivatives<T: Scalar, const I: usize>(
+    (values, rates): (&[[T; I]; 2], &[[T; I]; 2]),
+    errors: &[[[T; 2]; I]; 2],
+    lengths: &[T; I],
+    (allowed, h, fastest): (T, T, T),
+    parameter_size: &dyn Fn(usize) -> T,
+) -> T {
+    let largest_value = values.iter().fold(T::of(1.0), |most, values| most.max(largest(values, lengths).without_derivatives()));
+    let mut worst = T::ZERO;
     for parameter in 0.. {
         if T::ZERO.derivative(parameter).is_none() {
             break;
         }
         let by = |number: T| number.derivative(parameter).unwrap_or(T::ZERO);
-        let [q, q_there, u, u_there] = vectors.map(|values| largest(&values.map(by), &lengths));
-        let u = u.max(u_there);
-        let rounded = T::of(CANCELLED) * T::EPSILON / (allowed * mechanism.parameter_size(parameter));
-        let [at, moving] = [farthest, fastest.without_derivatives()].map(|value| rounded * value);
-        let scales = [q.max(q_there).max(u * h.abs()).max(at), u.max(moving)];
+        let largest_by = |ends: &[[T; I]; 2]| ends.iter().fold(T::ZERO, |most, values| most.max(largest(&values.map(by), lengths)));
+        let (of_values, of_rates) = (largest_by(values), largest_by(rates));
+        let rounded = T::of(CANCELLED) * T::EPSILON / (allowed * parameter_size(parameter));
+        let of_positions = of_values.max(of_rates * h).max(rounded * largest_value);
+        let scales = [of_positions, of_rates.max(rounded * fastest.without_derivatives())];
         let (mut first, mut second) = (T::ZERO, T::ZERO);
-        for (errors, scale) in trial.errors.iter().zip(scales).filter(|(_, scale)| *scale > T::ZERO) {
-            for (errors, length) in errors.iter().zip(&lengths) {
+        for (errors, scale) in errors.iter().zip(scales).filter(|(_, scale)| *scale > T::ZERO) {
+            for (errors, length) in errors.iter().zip(lengths) {
                 let [one, two] = errors.map(|error| by(error) / (allowed * scale * *length));
                 (first, second) = (first + one * one, second + two * two);
             }

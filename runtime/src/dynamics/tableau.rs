@@ -7,8 +7,6 @@
 //! k_i = f(t + c_i h, y + h Σ a_ij k_j)      y(t + h) = y + h Σ b_j k_j
 //! ```
 
-use core::array;
-
 use crate::number::Scalar;
 
 /// Number of stages.
@@ -17,11 +15,17 @@ pub(super) const STAGES: usize = 12;
 /// Rates in all stages: of positions, and of speeds, of each coordinate.
 pub(super) type Rates<T, const I: usize> = [[[T; I]; 2]; STAGES];
 
-/// Σ of weighted rates, for both and for each coordinate.
+/// Σ of weighted rates, for both and for each coordinate. Loops: closures would be compiled once for each stage.
 macro_rules! sums {
-    ($k:ident: $($stage:literal => $weight:literal),*) => {
-        array::from_fn(|part| array::from_fn(|at| T::of(0.0) $(+ T::of($weight) * $k[$stage][part][at])*))
-    };
+    ($k:ident: $($stage:literal => $weight:literal),*) => {{
+        let mut sums = [[T::of(0.0); I]; 2];
+        for (part, sums) in sums.iter_mut().enumerate() {
+            for (at, sum) in sums.iter_mut().enumerate() {
+                *sum = T::of(0.0) $(+ T::of($weight) * $k[$stage][part][at])*;
+            }
+        }
+        sums
+    }};
 }
 
 /// The same for one number.
@@ -83,12 +87,17 @@ pub(super) fn step<T: Scalar, const I: usize>(k: &Rates<T, I>) -> [[T; I]; 2] {
     sums!(k: 0 => 0.054293734116568765, 5 => 4.450312892752409, 6 => 1.8915178993145003, 7 => -5.801203960010585, 8 => 0.3111643669578199, 9 => -0.1521609496625161, 10 => 0.20136540080403034, 11 => 0.04471061572777259)
 }
 
-/// Differences from the steps of order 5 and of order 3.
-#[inline(always)]
-pub(super) fn errors<T: Scalar, const I: usize>(k: &Rates<T, I>) -> [[[T; I]; 2]; 2] {
+/// For both and for each coordinate: the differences from the steps of order 5 and of order 3.
+pub(super) fn errors<T: Scalar, const I: usize>(k: &Rates<T, I>, h: T) -> [[[T; 2]; I]; 2] {
     let fifth = sums!(k: 0 => 0.01312004499419488, 5 => -1.2251564463762044, 6 => -0.4957589496572502, 7 => 1.6643771824549864, 8 => -0.35032884874997366, 9 => 0.3341791187130175, 10 => 0.08192320648511571, 11 => -0.022355307863886294);
     let third = sums!(k: 0 => -0.18980075407240762, 5 => 4.450312892752409, 6 => 1.8915178993145003, 7 => -5.801203960010585, 8 => -0.4226823213237919, 9 => -0.1521609496625161, 10 => 0.20136540080403034, 11 => 0.02265179219836082);
-    [fifth, third]
+    let mut errors = [[[T::ZERO; 2]; I]; 2];
+    for ((errors, fifth), third) in errors.iter_mut().zip(&fifth).zip(&third) {
+        for ((errors, fifth), third) in errors.iter_mut().zip(fifth).zip(third) {
+            *errors = [h * *fifth, h * *third];
+        }
+    }
+    errors
 }
 
 /// Number of rates with the one at the end and three more, for values between the ends of a step.

@@ -35,6 +35,15 @@ pub(crate) fn product<T: Real, const N: usize>(matrix: &SMatrix<T, N, N>, x: &SV
     product
 }
 
+/// 0, 1, 2 …
+pub(crate) fn counted<const K: usize>() -> [usize; K] {
+    let mut numbers = [0; K];
+    for (number, entry) in numbers.iter_mut().enumerate() {
+        *entry = number;
+    }
+    numbers
+}
+
 /// A matrix of zeros, made where it is wanted: large ones are costly to move.
 #[inline(always)]
 #[must_use]
