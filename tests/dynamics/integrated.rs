@@ -1,7 +1,7 @@
 //! Drives determine all velocities, and positions follow from them by integration.
 
 use core::f64::consts::{PI, TAU};
-use reuleaux::{Integrator, mechanism};
+use reuleaux::{Integrator, Stopped, mechanism};
 
 mechanism! {
     /// A skate on ice, pushed along its edge and turned.
@@ -368,5 +368,33 @@ fn rates_begin_where_one_drive_has_a_body_against_another() {
         let state = carried.solve(t).unwrap();
         assert!((state.wheel().angle - (50_f64.to_radians() + TAU * t)).abs() < 1e-14);
         assert!((state.driven().angle - (30_f64.to_radians() - 2.0 * TAU * t)).abs() < 1e-14, "{:?}", state.driven());
+    }
+}
+
+mechanism! {
+    /// A skate that is pushed along x with a constant speed while it is turned across.
+    #[integrated]
+    mechanism Across {
+        body blade { axis edge = (1, 0); }
+        joint ice = { cross(blade.edge, rate(blade.position)) == 0m_s; }
+        drive push = { rate(blade.position.x) == 1m_s; }
+        drive turn = drive_angle(blade, 1rad_s * t);
+    }
+}
+
+/// ẏ = tan t grows without bound towards t = π/2, where the push is across the edge: no step is short enough because the equations depend on
+/// each other.
+#[test]
+fn a_motion_whose_drive_turns_against_a_joint_ends_with_that_joint() {
+    let across = Across::default();
+    for (tolerance, end) in [(1e-6, 2.0), (1e-10, 2.0), (1e-12, -2.0)] {
+        let mut state = across.initial_state().unwrap();
+        let stopped = across.advance(&mut state, end, &mut Integrator::new(tolerance));
+        let Err(Stopped::Singular { time, joint: "ice" }) = stopped else { panic!("{tolerance:e}: {stopped:?}") };
+        assert!((time.abs() - PI / 2.0).abs() < 1e-9 && time * end > 0.0, "{tolerance:e}: {time}");
+        // y = −ln cos t before.
+        let mut before = across.initial_state().unwrap();
+        across.advance(&mut before, end.signum() * 1.5, &mut Integrator::new(tolerance)).unwrap();
+        assert!((before.blade().position.y + 1.5_f64.cos().ln()).abs() < 100.0 * tolerance, "{tolerance:e}: {}", before.blade().position);
     }
 }

@@ -101,9 +101,7 @@ where
             break;
         }
     }
-    // Where rank is lost rows may vanish: they are compared with the rows at the assembled configuration.
-    let assembled = jacobian_at(mechanism, &mechanism.start(), from.t);
-    let (row, left) = weakest(&last, &assembled, &lengths(mechanism), &[true; M], &redundant(mechanism));
+    let (row, left) = weakest(&last, &assembled(mechanism), &lengths(mechanism), &[true; M], &redundant(mechanism));
     if left > T::of(LOST) {
         return Ok(());
     }
@@ -123,6 +121,15 @@ where
     let mut found = Constraints::zero();
     mechanism.constraints(q, t, &mut found);
     found.jacobian
+}
+
+/// J as the mechanism is assembled, at t = 0. Where rank is lost rows may vanish, also those that only a drive moves: they are compared with these.
+fn assembled<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(mechanism: &S) -> SMatrix<T, M, I>
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    jacobian_at(mechanism, &mechanism.start(), T::ZERO)
 }
 
 /// Below this fraction of the natural size of its row, a pivot may belong to dependent equations.
@@ -165,8 +172,8 @@ where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    let rows = |q: &SVector<T, N>| jacobian_at(mechanism, q, state.t);
-    let (row, left) = weakest(&rows(&state.q), &rows(&mechanism.start()), &lengths(mechanism), &[true; M], &redundant(mechanism));
+    let here = jacobian_at(mechanism, &state.q, state.t);
+    let (row, left) = weakest(&here, &assembled(mechanism), &lengths(mechanism), &[true; M], &redundant(mechanism));
     if left > T::of(LOST) { Stopped::StepTooShort { time: state.t } } else { singular::<T, S, N, I, M, R>(state.t, row) }
 }
 
