@@ -37,6 +37,12 @@ const STRAIGHT: f64 = 1.0 / 32.0;
 /// The least such limit, for single precision.
 const LEAST_STRAIGHT: f64 = 16.0;
 
+/// Where no crossing is seen from states of this condition, it is looked for from states whose condition is larger by this factor.
+const CLOSER: f64 = 8.0;
+
+/// A step towards the crossing is halved so often at most.
+const MOST_HALVES: usize = 8;
+
 /// States with redundant equations: the first step, to see on which side the change point is, as a fraction of 1 / condition.
 const BRIEF: f64 = 0.25;
 
@@ -88,7 +94,7 @@ fn through<T: Float, const N: usize>(
         if beyond.is_some() || before.condition >= close {
             break;
         }
-        before = step(mechanism, &before, T::of(0.5) * (before.t + crossing), false)?;
+        before = nearer(mechanism, &before, crossing)?;
     }
     let beyond = beyond?;
     let near = approach(mechanism, &before, crossing, close)?;
@@ -98,15 +104,34 @@ fn through<T: Float, const N: usize>(
     if meets.branch != far.branch || (far.branch == here.branch && !is_there) {
         return None;
     }
-    let between = between();
-    let [near, far] = [approach(mechanism, &before, crossing, between)?, approach(mechanism, &beyond, crossing, between)?];
-    // Between branches that only come close there is no solution.
-    let mut there = extrapolated(mechanism, near, far, crossing, if is_there { t } else { crossing })?;
-    there.values.q = mechanism.solve(there.values.t, &ColdSolver::at_crossing(mechanism, &there.values.q)).ok()?.q;
-    if !is_there {
-        return Some(beyond);
+    let mut between = between();
+    if is_there {
+        let there = at(mechanism, [&before, &beyond], crossing, t, between)?;
+        return Some(State { parameter_hash: mechanism.parameter_hash, ..there });
     }
-    Some(State { parameter_hash: mechanism.parameter_hash, ..there })
+    // Where the mechanism turns fast, polynomials are accurate only next to the crossing.
+    while between <= close {
+        if at(mechanism, [&before, &beyond], crossing, crossing, between).is_some() {
+            return Some(beyond);
+        }
+        between = between * T::of(CLOSER);
+    }
+    None
+}
+
+/// The state at `t`, next to the crossing, from states on both sides whose condition is about `between`. None where the equations do not hold
+/// there: between branches that only come close there is no solution.
+fn at<T: Float, const N: usize>(
+    mechanism: &Followed<'_, T, N>,
+    [before, beyond]: [&State<T, N>; 2],
+    crossing: T,
+    t: T,
+    between: T,
+) -> Option<State<T, N>> {
+    let [near, far] = [approach(mechanism, before, crossing, between)?, approach(mechanism, beyond, crossing, between)?];
+    let mut there = extrapolated(mechanism, near, far, crossing, t)?;
+    there.values.q = mechanism.solve(there.values.t, &ColdSolver::at_crossing(mechanism, &there.values.q)).ok()?.q;
+    Some(there)
 }
 
 /// Improves a state that is next to a change point of the solved equations, of a mechanism with redundant equations: together they determine
@@ -288,7 +313,20 @@ fn approach<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, from: &Sta
         if near.condition >= close {
             return Some(near);
         }
-        near = step(mechanism, &near, T::of(0.5) * (near.t + crossing), false)?;
+        near = nearer(mechanism, &near, crossing)?;
+    }
+    None
+}
+
+/// The state half the way to the crossing, or at a smaller part of it where the mechanism turns so fast that no step leads there.
+fn nearer<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, from: &State<T, N>, crossing: T) -> Option<State<T, N>> {
+    let mut way = T::of(0.5) * (crossing - from.t);
+    for _ in 0..MOST_HALVES {
+        let found = step(mechanism, from, from.t + way, false);
+        if found.is_some() {
+            return found;
+        }
+        way = T::of(0.5) * way;
     }
     None
 }
