@@ -9,6 +9,7 @@ mod converged;
 mod crossings;
 mod files;
 mod finite;
+mod kites;
 mod limits;
 mod loads;
 mod mechanisms;

@@ -33,6 +33,12 @@ const LEAST_CLEAR: f64 = 16.0;
 /// From this condition on, as a fraction of 1 / √ε, a state may be at the end of a branch.
 const NEARLY_SINGULAR: f64 = 1.0 / 64.0;
 
+/// Up to this condition, as a fraction of 1 / √ε, an ordinary step may pass the place where the condition is largest.
+const LARGEST_PASSED: f64 = 0.75;
+
+/// There the condition is larger than at the waypoint by this factor; where it is as large everywhere, no branches cross.
+const RISEN: f64 = 4.0;
+
 /// At the end of a branch: a step that fails and changes q by less than this fraction of 1 / condition is not halved again.
 const LEAST_WAY: f64 = 0.01;
 
@@ -110,6 +116,7 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
                 refused = refused.or((next == t).then_some(cause));
                 Ok(refused.unwrap_or(cause))
             }
+            Ok((there, _)) if is_behind_peak(&waypoint, &here, &there) => Err(StepError::Far),
             Ok((there, _)) if !is_same_branch(mechanism, &here, &there) && halves(mechanism, &mut step, next, &here, t - state.t) => {
                 continue;
             }
@@ -146,6 +153,13 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
         }
     }
     Err(Ended::TooManySteps { steps: most, here })
+}
+
+/// Whether a step leads away from a place that is so nearly singular that rounding would choose between the branches that cross there: their
+/// distance, about 1 / condition, is below the rounding errors of positions, about ε times the condition. Such a place is [crossed](crossing::cross).
+fn is_behind_peak<T: Float, const N: usize>(waypoint: &State<T, N>, here: &State<T, N>, there: &State<T, N>) -> bool {
+    let is_peak = here.condition > T::of(LARGEST_PASSED) / T::ROOT_EPSILON && here.condition > T::of(RISEN) * waypoint.condition;
+    is_peak && there.condition < here.condition
 }
 
 /// This fraction of ε^(−1/4).
