@@ -38,7 +38,8 @@ impl Kite {
             let (x, y) = (twice * across, -twice * along);
             let (sine, cosine) = state.rocker().angle.sin_cos();
             let off = (self.long * cosine + self.long - x).hypot(self.long * sine - y);
-            assert!(off < 1e-11 + 1e-14 * state.condition, "{steps} steps of {self:?}: {off:e} at {}", state.t);
+            // Fifty roundings times the condition; the other branch is off by about 1.
+            assert!(off < 50.0 * f64::EPSILON * (1e3 + state.condition), "{steps} steps of {self:?}: {off:e} at {}", state.t);
         }
     }
 }

@@ -158,8 +158,7 @@ where
     if pivots.smallest(&lengths, &redundant.sizes) > T::of(SUSPECT) {
         return Ok(());
     }
-    let assembled = jacobian_at(mechanism, &mechanism.start(), t);
-    let (row, left) = weakest(&here.jacobian, &assembled, &lengths, &[true; M], &redundant);
+    let (row, left) = weakest(&here.jacobian, &assembled(mechanism), &lengths, &[true; M], &redundant);
     if left > T::of(FLAT) * T::ROOT_EPSILON { Ok(()) } else { Err(singular::<T, S, N, I, M, R>(t, row)) }
 }
 

@@ -15,7 +15,7 @@ pub(super) const STAGES: usize = 12;
 /// Rates in all stages: of positions, and of speeds, of each coordinate.
 pub(super) type Rates<T, const I: usize> = [[[T; I]; 2]; STAGES];
 
-/// Σ of weighted rates, for both and for each coordinate. Loops: closures would be compiled once for each stage.
+/// Σ of weighted rates, of positions and of speeds, for each coordinate. Loops: closures would be compiled once for each stage.
 macro_rules! sums {
     ($k:ident: $($stage:literal => $weight:literal),*) => {{
         let mut sums = [[T::of(0.0); I]; 2];
@@ -87,7 +87,7 @@ pub(super) fn step<T: Scalar, const I: usize>(k: &Rates<T, I>) -> [[T; I]; 2] {
     sums!(k: 0 => 0.054293734116568765, 5 => 4.450312892752409, 6 => 1.8915178993145003, 7 => -5.801203960010585, 8 => 0.3111643669578199, 9 => -0.1521609496625161, 10 => 0.20136540080403034, 11 => 0.04471061572777259)
 }
 
-/// For both and for each coordinate: the differences from the steps of order 5 and of order 3.
+/// For positions and speeds, for each coordinate: the differences from the steps of order 5 and of order 3.
 pub(super) fn errors<T: Scalar, const I: usize>(k: &Rates<T, I>, h: T) -> [[[T; 2]; I]; 2] {
     let fifth = sums!(k: 0 => 0.01312004499419488, 5 => -1.2251564463762044, 6 => -0.4957589496572502, 7 => 1.6643771824549864, 8 => -0.35032884874997366, 9 => 0.3341791187130175, 10 => 0.08192320648511571, 11 => -0.022355307863886294);
     let third = sums!(k: 0 => -0.18980075407240762, 5 => 4.450312892752409, 6 => 1.8915178993145003, 7 => -5.801203960010585, 8 => -0.4226823213237919, 9 => -0.1521609496625161, 10 => 0.20136540080403034, 11 => 0.02265179219836082);

@@ -80,7 +80,7 @@ impl<T: Float> Cause<T> {
         match self {
             Cause::DoesNotClose { row, residual, gap } if gap.to_f64().is_infinite() => write!(
                 f,
-                "`{name}` was not assembled at t = {t} s: where the search ended, {row} is off by {}, and no coordinate changes it",
+                "`{name}` was not assembled at t = {t} s: where the search ended, {row} is off by {}, and no coordinate changes it there",
                 Measure(residual.to_f64().abs(), row.unit)
             ),
             Cause::DoesNotClose { row, residual, gap } => {

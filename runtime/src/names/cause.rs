@@ -26,7 +26,8 @@ pub enum Cause<T> {
         row: Row,
         /// Its residual, in its unit.
         residual: T,
-        /// Its residual divided by the norm of its gradient, in m; for an angle, the arc at radius L. Infinite where no coordinate changes the row.
+        /// Its residual divided by the norm of its gradient, in m; for an angle, the arc at radius L.
+        /// Where no coordinate changes the row: the residual as a length for rows in m, rad and m², otherwise infinite.
         gap: T,
     },
     /// An equation of a redundant joint does not follow from the others with these parameters: the mechanism would be strained.

@@ -36,7 +36,7 @@ const NEARLY_SINGULAR: f64 = 1.0 / 64.0;
 /// Up to this condition, as a fraction of 1 / √ε, an ordinary step may pass the place where the condition is largest.
 const LARGEST_PASSED: f64 = 0.75;
 
-/// There the condition is larger than at the waypoint by this factor; where it is as large everywhere, no branches cross.
+/// The condition there must be larger than at the waypoint by this factor: where it is as large everywhere, no branches cross.
 const RISEN: f64 = 4.0;
 
 /// At the end of a branch: a step that fails and changes q by less than this fraction of 1 / condition is not halved again.
@@ -156,7 +156,8 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
 }
 
 /// Whether a step leads away from a place that is so nearly singular that rounding would choose between the branches that cross there: their
-/// distance, about 1 / condition, is below the rounding errors of positions, about ε times the condition. Such a place is [crossed](crossing::cross).
+/// distance, about 1 / condition, is hardly larger than the rounding errors of positions, about ε times the condition. Such a place is
+/// [crossed](crossing::cross).
 fn is_behind_peak<T: Float, const N: usize>(waypoint: &State<T, N>, here: &State<T, N>, there: &State<T, N>) -> bool {
     let is_peak = here.condition > T::of(LARGEST_PASSED) / T::ROOT_EPSILON && here.condition > T::of(RISEN) * waypoint.condition;
     is_peak && there.condition < here.condition

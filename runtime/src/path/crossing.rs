@@ -104,15 +104,11 @@ fn through<T: Float, const N: usize>(
     if meets.branch != far.branch || (far.branch == here.branch && !is_there) {
         return None;
     }
-    let mut between = between();
-    if is_there {
-        let there = at(mechanism, [&before, &beyond], crossing, t, between)?;
-        return Some(State { parameter_hash: mechanism.parameter_hash, ..there });
-    }
+    let (mut between, place) = (between(), if is_there { t } else { crossing });
     // Where the mechanism turns fast, polynomials are accurate only next to the crossing.
     while between <= close {
-        if at(mechanism, [&before, &beyond], crossing, crossing, between).is_some() {
-            return Some(beyond);
+        if let Some(there) = at(mechanism, [&before, &beyond], crossing, place, between) {
+            return Some(if is_there { State { parameter_hash: mechanism.parameter_hash, ..there } } else { beyond });
         }
         between = between * T::of(CLOSER);
     }

@@ -271,7 +271,7 @@ fn an_equation_that_no_coordinate_changes_is_off_by_its_residual() {
     let single = Ramp::<f32> { end: 0.5 }.solve(0.0).expect_err("the ramp has ended").to_string();
     let off = 2.0 - std::f64::consts::FRAC_PI_4;
     for said in [double, single] {
-        let right = format!("joint `ramp` (equation, row 1 of 1) is off by {off:.2e}, and no coordinate changes it");
+        let right = format!("joint `ramp` (equation, row 1 of 1) is off by {off:.2e}, and no coordinate changes it there");
         assert!(said.contains(&right), "{said}");
     }
     let height = Ramp::default().solve(0.0).expect("the ramp goes on").slide().position.y;

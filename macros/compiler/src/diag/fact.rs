@@ -135,106 +135,31 @@ pub enum ArrayFact {
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
 pub enum NameFact {
-    UnknownName {
-        name: String,
-        near: Option<String>,
-        is_of_definition: bool,
-    },
-    OutputRead {
-        name: String,
-    },
-    UnitAlone {
-        name: String,
-    },
-    UnitInParts {
-        written: String,
-        instead: String,
-    },
-    UnknownField {
-        owner: String,
-        name: String,
-        near: Option<String>,
-        known: Known,
-    },
-    AngleOfBody {
-        body: String,
-        joint: Option<String>,
-    },
-    NoHeight {
-        /// A body in backticks, or the kind of a value.
-        owner: String,
-        /// True if the `z` of a body is an axis where a number is wanted.
-        is_axis: bool,
-    },
-    UnknownFunction {
-        name: String,
-        near: Option<String>,
-        is_force: Option<bool>,
-    },
-    UnknownShape {
-        name: String,
-        near: Option<String>,
-        known: Vec<&'static str>,
-    },
-    UnknownConstraint {
-        name: String,
-        near: Option<String>,
-        is_force: bool,
-        home: Option<Home>,
-        known: Known,
-    },
-    UnknownUnit {
-        number: String,
-        name: String,
-        near: Option<String>,
-    },
-    UnknownDimension {
-        name: String,
-        near: Option<String>,
-    },
-    UnknownStart {
-        name: String,
-        near: Option<String>,
-        in_space: bool,
-    },
-    NotAConstraint {
-        name: String,
-    },
-    UnknownKind {
-        name: String,
-        near: Option<String>,
-    },
-    Duplicate {
-        name: String,
-        first: &'static str,
-    },
-    BroughtAlong {
-        name: String,
-        by: String,
-    },
-    DuplicateMark {
-        name: String,
-        body: String,
-    },
-    DuplicateStart {
-        name: String,
-        body: String,
-    },
+    UnknownName { name: String, near: Option<String>, is_of_definition: bool },
+    OutputRead { name: String },
+    UnitAlone { name: String },
+    UnitInParts { written: String, instead: String },
+    UnknownField { owner: String, name: String, near: Option<String>, known: Known },
+    AngleOfBody { body: String, joint: Option<String> },
+    NoHeight { owner: String, is_axis: bool },
+    UnknownFunction { name: String, near: Option<String>, is_force: Option<bool> },
+    UnknownShape { name: String, near: Option<String>, known: Vec<&'static str> },
+    UnknownConstraint { name: String, near: Option<String>, is_force: bool, home: Option<Home>, known: Known },
+    UnknownUnit { number: String, name: String, near: Option<String> },
+    UnknownDimension { name: String, near: Option<String> },
+    UnknownStart { name: String, near: Option<String>, in_space: bool },
+    NotAConstraint { name: String },
+    UnknownKind { name: String, near: Option<String> },
+    Duplicate { name: String, first: &'static str },
+    BroughtAlong { name: String, by: String },
+    DuplicateMark { name: String, body: String },
+    DuplicateStart { name: String, body: String },
     DuplicateGround,
     DuplicateRange,
-    Reserved {
-        name: String,
-    },
-    Generated {
-        name: String,
-    },
-    Cycle {
-        name: String,
-        through: Vec<String>,
-    },
-    Recursion {
-        name: String,
-    },
+    Reserved { name: String },
+    Generated { name: String },
+    Cycle { name: String, through: Vec<String> },
+    Recursion { name: String },
 }
 
 /// Arguments: too many, too few, in the wrong order.
@@ -334,70 +259,25 @@ pub enum ValueFact {
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
 pub enum EquationFact {
-    TimeIn {
-        place: &'static str,
-    },
-    InputIn {
-        place: &'static str,
-        input: String,
-    },
-    InputInJoint {
-        joint: String,
-        input: String,
-    },
+    TimeIn { place: &'static str },
+    InputIn { place: &'static str, input: String },
+    InputInJoint { joint: String, input: String },
     TimeInDefinition,
-    TimeInJoint {
-        joint: String,
-    },
-    RequirementFails {
-        why: String,
-        instead: Option<String>,
-    },
-    RequirementFailsAtDefaults {
-        why: String,
-        value: f64,
-    },
-    RowOfNothing {
-        joint: String,
-        row: usize,
-        of: usize,
-        at_defaults: bool,
-    },
+    TimeInJoint { joint: String },
+    RequirementFails { why: String, instead: Option<String> },
+    RequirementFailsAtDefaults { why: String, value: f64 },
+    RowOfNothing { joint: String, row: usize, of: usize, at_defaults: bool },
     EquationInForce,
     ForceInJoint,
     RateOfSpeed,
-    NotAffine {
-        joint: String,
-        row: usize,
-        of: usize,
-    },
-    CrossProduct {
-        rows: Option<String>,
-        parallel: Option<String>,
-    },
-    OnGround {
-        joint: String,
-        kind: String,
-    },
-    ForceOnGround {
-        force: String,
-        ambient: Ambient,
-    },
-    EnergyOfNothing {
-        /// True for the potential of a force.
-        is_of_force: bool,
-    },
-    NoEquations {
-        name: String,
-    },
-    NoForces {
-        name: String,
-        body: Option<String>,
-        ambient: Ambient,
-    },
-    EmptyBundle {
-        name: String,
-    },
+    NotAffine { joint: String, row: usize, of: usize },
+    CrossProduct { rows: Option<String>, parallel: Option<String> },
+    OnGround { joint: String, kind: String },
+    ForceOnGround { force: String, ambient: Ambient },
+    EnergyOfNothing { is_of_force: bool },
+    NoEquations { name: String },
+    NoForces { name: String, body: Option<String>, ambient: Ambient },
+    EmptyBundle { name: String },
     GroundStart,
 }
 

@@ -140,7 +140,7 @@ impl Elaborator<'_> {
     }
 
     /// Refuses an axis called `z` beside a number, in the plane.
-    fn is_no_height(&mut self, sides: [(&ast::Expression, &Value); 2]) -> Option<()> {
+    fn refuse_height(&mut self, sides: [(&ast::Expression, &Value); 2]) -> Option<()> {
         let has_number = sides.iter().any(|(_, value)| matches!(value, Value::Scalar(_)));
         let found =
             sides.into_iter().find_map(|(written, value)| Some((written.range, misread_height(self.names.ambient, written, value)?)));
@@ -162,7 +162,7 @@ impl Elaborator<'_> {
             return self.combine_vectors(range, operator, right, left);
         }
         if matches!(operator, Operator::Add | Operator::Sub) {
-            self.is_no_height([(left.0, &left.1), (right.0, &right.1)])?;
+            self.refuse_height([(left.0, &left.1), (right.0, &right.1)])?;
         }
         if !right.1.is_combinable() {
             return self.not_a(right.0.range, Wanted::NumberOrVector, right.1.kind());
@@ -291,7 +291,7 @@ impl Elaborator<'_> {
             let Vector { parts, measure } = self.between_orientations(one, two);
             return Some(parts.iter().map(|expr| Scalar { expr: *expr, measure }).collect());
         }
-        self.is_no_height([(lhs, &left), (rhs, &right)])?;
+        self.refuse_height([(lhs, &left), (rhs, &right)])?;
         let kinds = [left.kind(), right.kind()];
         let points = match (&left, &right) {
             (Value::Point(to), Value::Point(from)) => Some((*from, *to)),

@@ -6,7 +6,8 @@
 //! ```
 //!
 //! Of a point of a body on one hinge or on two in a row, a_i is affine in the sine and the cosine of q_i. If a is no gradient, as that of a rolling
-//! wheel, the sum depends on the way; so its derivatives are compared with a.
+//! wheel, the sum depends on the way; so its derivatives are compared with a at some configurations. For sums of products of coordinates, sines and
+//! cosines that is enough; with an `if`, a table or a root, which are alike over whole ranges or change within short ones, it would not be.
 
 use super::Coordinate;
 use crate::diag::NoPosition;
@@ -19,8 +20,8 @@ use std::f64::consts::PI;
 /// Configurations at which derivatives are compared.
 const TRIALS: usize = 4;
 
-/// Derivatives agree if they differ by no more than this share of their size.
-const AGREES: f64 = 1e-9;
+/// Derivatives agree if they differ by no more than this share of the largest one.
+const AGREES: f64 = 1e-12;
 
 /// Integrates rows of velocities.
 pub(super) struct Integrals<'a> {
@@ -63,7 +64,7 @@ impl<'a> Integrals<'a> {
             arena.leaves(factor).into_iter().all(is_known)
         };
         let is_separate = factors.iter().all(|(number, factor)| is_of_own(arena, *number, *factor));
-        // Where motion follows from forces, rows of velocities hold from an assembled start, not from a declared one.
+        // Where positions are integrated, rows of velocities hold from an assembled start, not from a declared one.
         let has_start = self.model.task.is_solved() && factors.iter().all(|(number, _)| self.begins(*number as usize));
         if !(is_separate || has_start) {
             return None;
@@ -92,7 +93,8 @@ impl<'a> Integrals<'a> {
         let roots: Vec<Expr> = factors.iter().map(|(_, factor)| *factor).collect();
         let coordinates: BTreeSet<Leaf> =
             arena.leaves_of(&roots).into_iter().chain(factors.iter().map(|(number, _)| Leaf::Coordinate(*number))).collect();
-        if !coordinates.iter().all(|leaf| matches!(leaf, Leaf::Coordinate(_) | Leaf::Parameter(_))) {
+        let is_known = |leaf: &Leaf| matches!(leaf, Leaf::Coordinate(_) | Leaf::Parameter(_));
+        if !(coordinates.iter().all(is_known) && roots.iter().all(|factor| are_products(arena, *factor))) {
             return false;
         }
         let sum = arena.sum(changes);
@@ -105,9 +107,14 @@ impl<'a> Integrals<'a> {
         }
         let functions = |number: u32, x: f64| tabulated(&self.model.functions, number, x);
         (1..=TRIALS).all(|trial| {
-            let coordinates: Vec<f64> = (0..self.starts.len()).map(|number| PI * unrelated(number, trial)).collect();
-            let parameters: Vec<f64> =
-                self.parameters.iter().enumerate().map(|(number, default)| default + 0.1 * unrelated(number, trial)).collect();
+            let count = self.starts.len();
+            let coordinates: Vec<f64> = (0..count).map(|number| PI * unrelated(number, trial)).collect();
+            // Near the defaults, so that they keep their signs.
+            let near = |(number, default): (usize, &f64)| {
+                let share = 0.1 * unrelated(count + number, trial);
+                if *default == 0.0 { share } else { default * (1.0 + share) }
+            };
+            let parameters: Vec<f64> = self.parameters.iter().enumerate().map(near).collect();
             let values = Values {
                 time: 0.0,
                 parameters: &parameters,
@@ -116,9 +123,22 @@ impl<'a> Integrals<'a> {
                 accelerations: &[],
                 functions: &functions,
             };
-            evaluate(arena, &pairs, &values).chunks(2).all(|pair| (pair[0] - pair[1]).abs() <= AGREES * (1.0 + pair[1].abs()))
+            let found = evaluate(arena, &pairs, &values);
+            let largest = found.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+            found.chunks(2).all(|pair| (pair[0] - pair[1]).abs() <= AGREES * largest)
         })
     }
+}
+
+/// True of sums of products of variables, sines and cosines, and of quotients with a fixed divisor.
+fn are_products(arena: &Arena, factor: Expr) -> bool {
+    arena.reachable(&[factor]).into_iter().all(|expr| match *arena.node(expr) {
+        Node::Constant(_) | Node::Leaf(_) | Node::Marked { .. } | Node::Unary(Unary::Neg | Unary::Sin | Unary::Cos, _) => true,
+        Node::Binary(Binary::Add | Binary::Sub | Binary::Mul, ..) => true,
+        Node::Binary(Binary::Div, _, divisor) => arena.is_fixed(divisor),
+        // A root of constants and the like is a number.
+        _ => arena.value(expr).is_some(),
+    })
 }
 
 /// A number between −1 and 1.
