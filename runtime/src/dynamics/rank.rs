@@ -158,7 +158,9 @@ where
     if pivots.smallest(&lengths, &redundant.sizes) > T::of(SUSPECT) {
         return Ok(());
     }
-    let (row, left) = weakest(&here.jacobian, &assembled(mechanism), &lengths, &[true; M], &redundant);
+    // At the same time: no branches cross where a drive alone makes a row vanish, and the motion goes on as long as steps are long enough.
+    let at_start = jacobian_at(mechanism, &mechanism.start(), t);
+    let (row, left) = weakest(&here.jacobian, &at_start, &lengths, &[true; M], &redundant);
     if left > T::of(FLAT) * T::ROOT_EPSILON { Ok(()) } else { Err(singular::<T, S, N, I, M, R>(t, row)) }
 }
 
