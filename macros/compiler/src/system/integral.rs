@@ -69,15 +69,17 @@ impl<'a> Integrals<'a> {
         if !(is_separate || has_start) {
             return None;
         }
-        let mut still = Substitution::new();
         let mut changes = Vec::new();
-        for ((number, factor), start) in factors.iter().zip(starts).rev() {
+        for (place, ((number, factor), start)) in factors.iter().zip(&starts).enumerate() {
+            // Those that change after this one are still where they begin.
+            let mut still = Substitution::new();
+            for ((later, _), start) in factors.iter().zip(&starts).skip(place + 1) {
+                let start = start.unwrap_or_else(|| arena.integer(0));
+                still.replace(Leaf::Coordinate(*later), start);
+            }
             let factor = still.of(arena, *factor);
-            changes.push(change(arena, *number, factor, start)?);
-            let start = start.unwrap_or_else(|| arena.integer(0));
-            still.replace(Leaf::Coordinate(*number), start);
+            changes.push(change(arena, *number, factor, *start)?);
         }
-        changes.reverse();
         (is_separate || self.have_slopes(arena, &changes, factors)).then_some(changes)
     }
 
