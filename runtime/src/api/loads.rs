@@ -8,7 +8,7 @@ use core::ops::Range;
 
 use nalgebra::{SMatrix, SVector, Vector2, Vector3};
 
-use crate::linear::{counted, zeros};
+use crate::linear::{unpermuted, zeros};
 use crate::number::Scalar;
 use crate::state::{PlanarBody, SpatialBody};
 
@@ -266,7 +266,7 @@ fn eliminate<T: Scalar, const M: usize, const U: usize>(
     right: &mut [T; U],
     coupled: &mut [(usize, T); U],
 ) -> ([usize; M], usize) {
-    let (mut pivots, mut largest, mut sizes) = (counted::<M>(), T::of(0.0), [(T::of(0.0), 0); U]);
+    let (mut pivots, mut largest, mut sizes) = (unpermuted::<M>(), T::of(0.0), [(T::of(0.0), 0); U]);
     for (size, row) in sizes.iter_mut().zip(rows.iter()) {
         *size = largest_of(row, &pivots);
     }

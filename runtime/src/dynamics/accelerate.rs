@@ -53,7 +53,7 @@ where
     let known = pivots.as_ref().map(|pivots| (pivots, T::of(WORSE)));
     parts
         .solve((jacobian, gamma), known, &lengths, &[true; M], &redundant(mechanism))
-        .map_err(|row| if is_finite((q, qd), t) { singular::<T, S, N, I, M, R>(t, row) } else { Stopped::NotFinite { time: t } })?;
+        .map_err(|row| if is_state_finite((q, qd), t) { singular::<T, S, N, I, M, R>(t, row) } else { Stopped::NotFinite { time: t } })?;
     *pivots = Some(parts.pivots);
     let count = parts.independent();
     // M p
@@ -70,7 +70,7 @@ where
         *right = -dot(&side, &motion);
     }
     solve(mass, &parts.order_of_independent(), &mut right, count).map_err(|k| {
-        if !is_finite((q, qd), t) {
+        if !is_state_finite((q, qd), t) {
             return Stopped::NotFinite { time: t };
         }
         let unknown = S::INTEGRATED.get(parts.independent_at(k)).copied().unwrap_or(0);
@@ -80,7 +80,7 @@ where
     Ok(parts.unknowns(&right))
 }
 
-fn is_finite<T: Scalar, const N: usize>((q, qd): (&SVector<T, N>, &SVector<T, N>), t: T) -> bool {
+fn is_state_finite<T: Scalar, const N: usize>((q, qd): (&SVector<T, N>, &SVector<T, N>), t: T) -> bool {
     are_finite(q.as_slice()) && are_finite(qd.as_slice()) && t.is_finite()
 }
 

@@ -10,7 +10,7 @@ use super::accelerate::{lengths, redundant, singular};
 use super::checks::{holds, unit_of};
 use super::equations::{Constraints, Dynamics};
 use super::partition::{Partition, Pivots, weakest};
-use super::places::{farthest, moved, picked, put};
+use super::places::{largest_change, moved, picked, put};
 use super::project::{Open, Reached, gap, levels, project_onto, refresh};
 use super::stopped::Stopped;
 use crate::linear;
@@ -77,7 +77,7 @@ where
     if let Some(defaults) = mechanism.interpolated(T::ZERO) {
         let (mut origin, mut speeds) = (*q, *qd);
         let closes = close(&defaults, None, (&mut origin, &mut speeds)).is_ok();
-        if closes && farthest([&*q, &origin], &S::INTEGRATED, &lengths(mechanism)) <= T::of(FAR) {
+        if closes && largest_change([&*q, &origin], &S::INTEGRATED, &lengths(mechanism)) <= T::of(FAR) {
             return follow(mechanism, &origin, (q, qd));
         }
     }
@@ -183,7 +183,7 @@ where
     for guess in [here, start] {
         let (mut place, mut speeds) = (guess, SVector::from_element(T::ZERO));
         let found = close(mechanism, None, (&mut place, &mut speeds));
-        if found.is_ok() && farthest([&guess, &place], &S::INTEGRATED, &lengths) <= T::of(TURNED) && accepts(place, speeds) {
+        if found.is_ok() && largest_change([&guess, &place], &S::INTEGRATED, &lengths) <= T::of(TURNED) && accepts(place, speeds) {
             return Ok(());
         }
     }
@@ -270,7 +270,7 @@ where
         // The rest of the residuals at the declared start is left open.
         let left = Some((T::of(1.0) - next, &open));
         let found = close_but_for(mechanism, left, None, (&mut place, &mut speeds), &mut reached);
-        if found.is_ok() && farthest([&*q, &place], &S::INTEGRATED, &lengths) <= T::of(FAR) {
+        if found.is_ok() && largest_change([&*q, &place], &S::INTEGRATED, &lengths) <= T::of(FAR) {
             (*q, *qd, done, part) = (place, speeds, next, part * T::of(2.0));
         } else {
             part = part * T::of(0.5);

@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::linear::counted;
+use crate::linear::unpermuted;
 use crate::number::Scalar;
 use crate::number::order::smaller;
 
@@ -248,7 +248,7 @@ impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
         let (mut sizes, mut lengths) = ([T::ZERO; M], *lengths);
         let mut count = 0_usize;
         self.rank = 0;
-        self.pivots = Pivots { unknowns: counted(), ..Pivots::none() };
+        self.pivots = Pivots { unknowns: unpermuted(), ..Pivots::none() };
         let mut open = self.rows.iter_mut().zip(&mut self.side).zip(&mut self.pivots.rows).zip(&mut sizes);
         for ((number, value), takes_part) in side.iter().enumerate().zip(takes_part) {
             if !takes_part {

@@ -1,6 +1,7 @@
 //! Integrated entries of the vectors of a state.
 //!
-//! Loops, not closures over arrays: in functions of a mechanism these would be compiled once for each mechanism.
+//! Loops, not closures over arrays: in functions of a mechanism these would be compiled once for each mechanism. `stiff` and `dense`, which few
+//! mechanisms use, still have them.
 
 use nalgebra::SVector;
 
@@ -38,12 +39,12 @@ pub(super) fn moved<T: Scalar, const I: usize>(x: &[T; I], h: T, y: &[T; I]) -> 
     sums
 }
 
-/// True if all entries are finite. A finite sum has finite terms; each is looked at only where the sum is not. Four sums, which the processor
+/// True if all numbers are finite. A finite sum has finite terms; each is looked at only where the sum is not. Four sums, which the processor
 /// forms at a time.
 #[inline(always)]
-pub(super) fn is_finite<T: Scalar, const N: usize>(vector: &SVector<T, N>) -> bool {
+pub(super) fn are_finite<T: Scalar>(values: &[T]) -> bool {
     let mut sums = [T::ZERO; 4];
-    let fours = vector.as_slice().chunks_exact(4);
+    let fours = values.chunks_exact(4);
     let rest = fours.remainder().iter().fold(T::ZERO, |sum, value| sum + *value);
     for four in fours {
         for (sum, value) in sums.iter_mut().zip(four) {
@@ -51,12 +52,7 @@ pub(super) fn is_finite<T: Scalar, const N: usize>(vector: &SVector<T, N>) -> bo
         }
     }
     let sum = (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest;
-    sum.is_finite() || are_finite(vector.as_slice())
-}
-
-/// True if all numbers are finite; they are looked at one by one.
-pub(super) fn are_finite<T: Scalar>(values: &[T]) -> bool {
-    values.iter().all(|value| value.is_finite())
+    sum.is_finite() || values.iter().all(|value| value.is_finite())
 }
 
 /// The largest of some numbers, each divided by its length.
@@ -65,7 +61,7 @@ pub(super) fn largest<T: Scalar, const I: usize>(values: &[T; I], lengths: &[T; 
 }
 
 /// The largest change of some entries of a vector, each divided by its length.
-pub(super) fn farthest<T: Scalar, const N: usize, const I: usize>(
+pub(super) fn largest_change<T: Scalar, const N: usize, const I: usize>(
     [from, to]: [&SVector<T, N>; 2],
     places: &[usize; I],
     lengths: &[T; I],

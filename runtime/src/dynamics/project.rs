@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::accelerate::{eliminated, lengths, redundant};
 use super::equations::{Constraints, Dynamics};
 use super::partition::{ABOUT_AS_GOOD, Partition, Pivots, WORSE};
-use super::places::{are_finite, is_finite, largest, moved, picked, put};
+use super::places::{are_finite, largest, moved, picked, put};
 use super::stopped::Stopped;
 use crate::linear::scaled;
 use crate::number::Scalar;
@@ -194,7 +194,7 @@ where
     let mut qdd = state.qdd;
     put(&mut qdd, &S::INTEGRATED, &found);
     let [q, qd, qdd] = mechanism.complete(&state.q, &state.qd, &qdd, state.t);
-    if !(is_finite(&q) && is_finite(&qd) && is_finite(&qdd)) {
+    if !(are_finite(q.as_slice()) && are_finite(qd.as_slice()) && are_finite(qdd.as_slice())) {
         return Err(Stopped::NotFinite { time: state.t });
     }
     (state.q, state.qd, state.qdd) = (q, qd, qdd);
@@ -214,7 +214,7 @@ where
     S: Dynamics<T, N, I, M, R>,
 {
     let [q, qd, _] = mechanism.complete(&state.q, &state.qd, &state.qdd, state.t);
-    if !(is_finite(&q) && is_finite(&qd)) {
+    if !(are_finite(q.as_slice()) && are_finite(qd.as_slice())) {
         return Err(Stopped::NotFinite { time: state.t });
     }
     (state.q, state.qd) = (q, qd);
@@ -232,7 +232,7 @@ where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    if !is_finite(&qdd) {
+    if !are_finite(qdd.as_slice()) {
         return Err(Stopped::NotFinite { time: state.t });
     }
     state.qdd = qdd;

@@ -123,7 +123,7 @@ where
     found.jacobian
 }
 
-/// J as the mechanism is assembled, at t = 0. Where rank is lost rows may vanish, also those that only a drive moves: they are compared with these.
+/// J at the declared start at t = 0. Where rank is lost, rows may vanish, even by a drive alone; they are compared with these.
 fn assembled<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(mechanism: &S) -> SMatrix<T, M, I>
 where
     T: Scalar,
@@ -158,9 +158,9 @@ where
     if pivots.smallest(&lengths, &redundant.sizes) > T::of(SUSPECT) {
         return Ok(());
     }
-    // At the same time: no branches cross where a drive alone makes a row vanish, and the motion goes on as long as steps are long enough.
-    let at_start = jacobian_at(mechanism, &mechanism.start(), t);
-    let (row, left) = weakest(&here.jacobian, &at_start, &lengths, &[true; M], &redundant);
+    // Compared at the same t: where a drive alone makes a row vanish, no branches cross, and the motion goes on until no step is short enough.
+    let assembled_now = jacobian_at(mechanism, &mechanism.start(), t);
+    let (row, left) = weakest(&here.jacobian, &assembled_now, &lengths, &[true; M], &redundant);
     if left > T::of(FLAT) * T::ROOT_EPSILON { Ok(()) } else { Err(singular::<T, S, N, I, M, R>(t, row)) }
 }
 

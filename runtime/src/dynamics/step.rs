@@ -8,7 +8,7 @@ use super::equations::Dynamics;
 use super::explicit::Explicit;
 use super::jump::no_speed_jumps;
 use super::method::{Method, Trial};
-use super::places::{farthest, is_finite, largest, picked};
+use super::places::{are_finite, largest, largest_change, picked};
 use super::project::{Reached, project, refresh};
 use super::rank::{is_regular, keeps_rank, too_short};
 use super::stopped::Stopped;
@@ -66,7 +66,7 @@ where
     S: Dynamics<T, N, I, M, R>,
 {
     let ([mut q, mut qd], t) = (trial.end, from.t + h);
-    if !(is_finite(&q) && is_finite(&qd)) {
+    if !(are_finite(q.as_slice()) && are_finite(qd.as_slice())) {
         return Err(Stopped::NotFinite { time: t });
     }
     let known = before.map(|before| &before.pivots);
@@ -100,8 +100,8 @@ where
     let (lengths, none) = (lengths(mechanism), T::of(STRICTEST) * T::EPSILON);
     let tolerance = tolerance.max(none);
     let ([q, u], [q_there, u_there]) = (before, after);
-    farthest([q, q_there], &S::INTEGRATED, &lengths) <= tolerance * largest(&picked(q, &S::INTEGRATED), &lengths).max(T::of(1.0))
-        && farthest([u, u_there], &S::INTEGRATED, &lengths) <= none.max(tolerance * fastest)
+    largest_change([q, q_there], &S::INTEGRATED, &lengths) <= tolerance * largest(&picked(q, &S::INTEGRATED), &lengths).max(T::of(1.0))
+        && largest_change([u, u_there], &S::INTEGRATED, &lengths) <= none.max(tolerance * fastest)
 }
 
 /// The largest speed, in L/s and rad/s.

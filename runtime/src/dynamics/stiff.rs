@@ -17,7 +17,7 @@ use super::method::{Method, Trial};
 use super::partition::Pivots;
 use super::places::{largest, picked, put};
 use super::stopped::Stopped;
-use crate::linear::counted;
+use crate::linear::unpermuted;
 use crate::number::Scalar;
 use crate::number::order::smaller;
 use crate::state::State;
@@ -215,7 +215,7 @@ struct Factors<T, const I: usize> {
 
 impl<T: Scalar, const I: usize> Factors<T, I> {
     fn new(mut rows: [[T; I]; I]) -> Self {
-        let mut order: [usize; I] = counted();
+        let mut order: [usize; I] = unpermuted();
         for k in 0..I {
             let mut best = k;
             for row in k..I {

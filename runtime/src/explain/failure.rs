@@ -78,7 +78,7 @@ impl<T: Float> Cause<T> {
     /// Writes the cause for the mechanism of this name at time t.
     fn fmt(&self, f: &mut fmt::Formatter<'_>, name: &str, t: Plain) -> fmt::Result {
         match self {
-            Cause::DoesNotClose { row, residual, gap } if gap.to_f64().is_infinite() => write!(
+            Cause::DoesNotClose { row, residual, gap } if gap.to_f64().is_infinite() && residual.to_f64().is_finite() => write!(
                 f,
                 "`{name}` was not assembled at t = {t} s: where the search ended, {row} is off by {}, and no coordinate changes it there",
                 Measure(residual.to_f64().abs(), row.unit)

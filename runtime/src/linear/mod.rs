@@ -39,7 +39,7 @@ pub use small::Small;
 pub use sparse::{Entries, Sparse};
 pub use turning::{AtIterate, Turning};
 pub use vectors::zeros;
-pub(crate) use vectors::{counted, difference, divided, moved, product, scaled};
+pub(crate) use vectors::{difference, divided, moved, product, scaled, unpermuted};
 
 /// A [`SimdReal`] with a factorisation of matrices.
 pub trait FactorReal: SimdReal {

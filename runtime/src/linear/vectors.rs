@@ -1,4 +1,4 @@
-//! Sums of vectors. They are compiled once for each length; closures in functions of a mechanism would be compiled once for each mechanism.
+//! Vectors, and orders of their entries. These functions are compiled once for each length; closures in functions of a mechanism would be compiled once for each mechanism.
 
 use nalgebra::{ArrayStorage, SMatrix, SVector};
 
@@ -35,8 +35,8 @@ pub(crate) fn product<T: Real, const N: usize>(matrix: &SMatrix<T, N, N>, x: &SV
     product
 }
 
-/// 0, 1, 2 …
-pub(crate) fn counted<const K: usize>() -> [usize; K] {
+/// The order 0, 1, 2 … of a list that is not rearranged.
+pub(crate) fn unpermuted<const K: usize>() -> [usize; K] {
     let mut numbers = [0; K];
     for (number, entry) in numbers.iter_mut().enumerate() {
         *entry = number;

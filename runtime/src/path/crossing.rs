@@ -16,7 +16,7 @@ use super::cold::cold_state;
 use crate::linear::difference;
 use crate::names::{self, Coordinate, CoordinateEntries, CoordinateKind};
 use crate::number::Float;
-use crate::number::order::greater;
+use crate::number::order::{greater, smaller};
 use crate::solve::{ColdSolver, Followed};
 use crate::state::{State, Values};
 
@@ -37,11 +37,11 @@ const STRAIGHT: f64 = 1.0 / 32.0;
 /// The least such limit, for single precision.
 const LEAST_STRAIGHT: f64 = 16.0;
 
-/// Where no crossing is seen from states of this condition, it is looked for from states whose condition is larger by this factor.
+/// Where the extrapolation from states of one condition fails, the next one is from states whose condition is larger by this factor.
 const CLOSER: f64 = 8.0;
 
-/// A step towards the crossing is halved so often at most.
-const MOST_HALVES: usize = 8;
+/// Most trials of a step towards the crossing, each half as long as the one before.
+const MOST_TRIALS: usize = 8;
 
 /// States with redundant equations: the first step, to see on which side the change point is, as a fraction of 1 / condition.
 const BRIEF: f64 = 0.25;
@@ -106,13 +106,15 @@ fn through<T: Float, const N: usize>(
     }
     let (mut between, place) = (between(), if is_there { t } else { crossing });
     // Where the mechanism turns fast, polynomials are accurate only next to the crossing.
-    while between <= close {
+    loop {
         if let Some(there) = at(mechanism, [&before, &beyond], crossing, place, between) {
             return Some(if is_there { State { parameter_hash: mechanism.parameter_hash, ..there } } else { beyond });
         }
-        between = between * T::of(CLOSER);
+        if between >= close {
+            return None;
+        }
+        between = smaller(between * T::of(CLOSER), close);
     }
-    None
 }
 
 /// The state at `t`, next to the crossing, from states on both sides whose condition is about `between`. None where the equations do not hold
@@ -172,7 +174,7 @@ fn beside<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &State
             break;
         }
         let crossing = crossing(&last, &closest);
-        let next = step(mechanism, &closest, T::of(0.5) * (closest.t + crossing), false)?;
+        let next = nearer(mechanism, &closest, crossing)?;
         (last, closest) = (closest, next);
     }
     let mut there = through(mechanism, &waypoint, &closest, (crossing(&last, &closest), true), here.t)?;
@@ -314,10 +316,10 @@ fn approach<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, from: &Sta
     None
 }
 
-/// The state half the way to the crossing, or at a smaller part of it where the mechanism turns so fast that no step leads there.
+/// The state halfway to the crossing, or less far where the mechanism turns so fast that no step leads there.
 fn nearer<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, from: &State<T, N>, crossing: T) -> Option<State<T, N>> {
     let mut way = T::of(0.5) * (crossing - from.t);
-    for _ in 0..MOST_HALVES {
+    for _ in 0..MOST_TRIALS {
         let found = step(mechanism, from, from.t + way, false);
         if found.is_some() {
             return found;

@@ -151,7 +151,7 @@ impl<'a> OpenRows<'a> {
         choices.into_iter().filter(|(size, _)| *size >= STEADY * largest && *size > least).map(|(_, columns)| columns).collect()
     }
 
-    /// Columns for which rows can be solved in all other poses; all of them if there are none.
+    /// Columns for which rows can be solved in all other poses; all choices if there are no other poses.
     fn steady_elsewhere(&self, rows: &[usize]) -> Vec<Vec<usize>> {
         let all = choices(&self.held(rows), rows.len());
         self.elsewhere.iter().fold(all, |left, numbers| {

@@ -2,8 +2,8 @@
 //!
 //! Parameters, inputs, `let`s, functions and arguments act only through the expressions that name them, and components through their parts: one
 //! that is named nowhere changes nothing. Declared points and axes are left out, since they may be read from Rust and are drawn in pictures, and so
-//! are `let`s of constraints, which are read by the names of joints. An argument of a constraint that only other definitions read by the name of a
-//! joint is named all the same: a definition that does not use what it is given is seldom meant so.
+//! are `let`s of constraints, which are read by the names of joints. An argument of a constraint that only other definitions read, by the name of
+//! a joint, causes a warning all the same: a definition is rarely meant to ignore what it is given.
 
 use crate::diag::{Doubt, Warning};
 use crate::syntax::ast::{Defined, Definitions, Expression, ExpressionKind, Item, Mechanism, every_item};

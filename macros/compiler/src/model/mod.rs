@@ -19,7 +19,7 @@ pub use sketch::Sketch;
 pub use solid::Solid;
 
 use crate::diag::{Range, Warning};
-use crate::expr::{Arena, Expr, Leaf};
+use crate::expr::{Arena, Expr, Leaf, Values, evaluate};
 use crate::quantity::{Ambient, Dim, Role, SpeedRole};
 use crate::syntax::ast::{Closing, Docs, Following, Relation, Requests, Task};
 use proc_macro2::{Ident, TokenStream};
@@ -348,6 +348,14 @@ pub(crate) fn tabulated(functions: &[Function], number: u32, x: f64) -> [f64; 3]
         Some(Function::Table(table)) => table.evaluate(x),
         _ => [f64::NAN; 3],
     }
+}
+
+/// Defaults of the parameters.
+pub(crate) fn defaults(model: &Model, arena: &Arena) -> Vec<f64> {
+    let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
+    let functions = |number: u32, x: f64| tabulated(&model.functions, number, x);
+    let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
+    evaluate(arena, &defaults, &nothing)
 }
 
 /// A condition on parameters.

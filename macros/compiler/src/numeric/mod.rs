@@ -19,7 +19,7 @@ pub(crate) mod search;
 pub(crate) mod turns;
 
 use crate::expr::{Evaluator, Expr, Node, Values, evaluate};
-use crate::model::{Function, Model, tabulated};
+use crate::model::{Function, Model, defaults, tabulated};
 use crate::system::{Equation, System};
 use least_squares::Problem;
 use std::cell::{Cell, OnceCell};
@@ -46,10 +46,8 @@ pub(crate) struct Numeric<'a> {
 /// Runs `work` on the system at the declared defaults.
 pub(crate) fn at_defaults<R>(model: &Model, system: &System, work: impl FnOnce(&Numeric) -> R) -> R {
     let functions = |number: u32, x: f64| tabulated(&model.functions, number, x);
-    let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
-    let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
-    let parameters = evaluate(&system.arena, &defaults, &nothing);
-    let known = Values { parameters: &parameters, ..nothing };
+    let parameters = defaults(model, &system.arena);
+    let known = Values { time: 0.0, parameters: &parameters, coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
     let start = |start: Expr| evaluate(&system.arena, &[start], &known).pop().filter(|value| value.is_finite());
     let declared = system.coordinates.iter().map(|unknown| unknown.start.and_then(start)).collect();
     work(&Numeric::new(model, system, known, declared))

@@ -7,12 +7,12 @@
 //!
 //! Of a point of a body on one hinge or on two in a row, a_i is affine in the sine and the cosine of q_i. If a is no gradient, as that of a rolling
 //! wheel, the sum depends on the way; so its derivatives are compared with a at some configurations. For sums of products of coordinates, sines and
-//! cosines that is enough; with an `if`, a table or a root, which are alike over whole ranges or change within short ones, it would not be.
+//! cosines that is enough. An `if`, a table or a root is not accepted: its derivatives may agree at all these configurations and differ elsewhere.
 
 use super::Coordinate;
 use crate::diag::NoPosition;
 use crate::expr::{Arena, Binary, Expr, Leaf, Lookup, Node, Substitution, Unary, Values, derivative, evaluate};
-use crate::model::{Model, tabulated};
+use crate::model::{Model, defaults, tabulated};
 use crate::quantity::Role;
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
@@ -35,10 +35,7 @@ pub(super) struct Integrals<'a> {
 
 impl<'a> Integrals<'a> {
     pub(super) fn new(model: &'a Model, arena: &Arena, coordinates: &'a [Coordinate], starts: &'a [Option<Expr>]) -> Integrals<'a> {
-        let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
-        let functions = |number: u32, x: f64| tabulated(&model.functions, number, x);
-        let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
-        Integrals { model, coordinates, starts, parameters: evaluate(arena, &defaults, &nothing) }
+        Integrals { model, coordinates, starts, parameters: defaults(model, arena) }
     }
 
     /// A(q) − A(q₀) − b t of a row of velocities a · u = b.
@@ -145,7 +142,7 @@ fn are_products(arena: &Arena, factor: Expr) -> bool {
 
 /// A number between −1 and 1.
 fn unrelated(number: usize, trial: usize) -> f64 {
-    // Multiples of the golden section modulo 1 are unrelated.
+    // Multiples of the golden ratio modulo 1 are unrelated.
     2.0 * ((number * (TRIALS + 1) + trial) as f64 * 0.618_033_988_749_895).fract() - 1.0
 }
 

@@ -149,8 +149,8 @@ pub(super) fn integrate_again(model: &Model, arena: &mut Arena, coordinates: &[C
     }
 }
 
-/// Value of each coordinate at t = 0: what an equation of it and of coordinates found so demands, as that of a drive, or its declared start.
-/// Without equations between speeds declared starts are enough.
+/// Value of each coordinate at t = 0: what an equation demands in which it is the only coordinate not yet known, as that of a drive; otherwise its
+/// declared start. Without equations between velocities, declared starts are enough.
 fn starts(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], rows: &[Row]) -> Vec<Option<Expr>> {
     let mut starts: Vec<Option<Expr>> = coordinates.iter().map(|coordinate| coordinate.start).collect();
     if !rows.iter().any(|row| row.is_velocity && !row.is_initial) {
@@ -159,13 +159,14 @@ fn starts(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], rows: &[
     // Rows of norms belong to no joint.
     let freedom = |row: &Row| model.joints.get(row.joint).and_then(|joint| joint.freedom);
     let is_from_start = |row: &Row| freedom(row).is_some_and(|freedom| freedom.is_from_start);
-    let mut open: Vec<Expr> = rows.iter().filter(|row| !row.is_velocity && !is_from_start(row)).map(|row| row.residual).collect();
+    let mut plain = Lookup::default();
+    let open = rows.iter().filter(|row| !row.is_velocity && !is_from_start(row));
+    let mut open: Vec<Expr> = open.map(|row| arena.plain(row.residual, &mut plain)).collect();
     let mut known = at_start(model, arena);
     loop {
         let before = open.len();
         for residual in std::mem::take(&mut open) {
-            let plain = arena.plain(residual, &mut Lookup::default());
-            let there = known.of(arena, plain);
+            let there = known.of(arena, residual);
             let Some((number, value)) = demanded(arena, there) else {
                 open.push(residual);
                 continue;
@@ -181,7 +182,7 @@ fn starts(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], rows: &[
     }
 }
 
-/// The coordinate and the value that an equation of one coordinate with a constant factor demands.
+/// The coordinate and its value, if an equation contains one coordinate, with a constant factor.
 fn demanded(arena: &mut Arena, residual: Expr) -> Option<(usize, Expr)> {
     let [number] = coordinates_in(arena, residual)[..] else { return None };
     let own = Leaf::Coordinate(number as u32);

@@ -268,7 +268,7 @@ fn balls_turn_in_the_axes_of_their_equations() {
     assert_eq!(axes_of_spins(GEARS), ["own"; 3]);
     assert_eq!(axes_of_spins(BALLS), ["own", "another body's", "another body's"]);
     assert_eq!(axes_of_spins(ROLLING), ["ground"; 2]);
-    // A body that is a ball for some parameters alone is none.
+    // A body that is a ball only for some values of the parameters does not count as one.
     let ball = "inertia = (0.05kgm2, 0.05kgm2, 0.05kgm2)";
     let params = "param a: Inertia = 0.05kgm2;  param b: Inertia = 0.05kgm2;  param off: Length = 0mm;  gravity";
     for of_parameters in
