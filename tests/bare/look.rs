@@ -9,37 +9,28 @@ use std::error::Error;
 use std::fmt::Write as _;
 use std::path::Path;
 use std::process::Command;
-use std::{env, fs, thread};
+use std::{env, fs};
 
 /// Forbidden instructions: for each function and name, the number of occurrences.
 type Found = BTreeMap<(String, String), usize>;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let target = env::args().nth(1);
-    let target = target.as_deref();
-    // Whole-program optimisation uses one processor.
-    let reports = thread::scope(|scope| {
-        let inspections = LEVELS.map(|level| scope.spawn(move || inspected(target, level).map_err(|error| error.to_string())));
-        inspections.map(|inspection| inspection.join().unwrap_or_else(|_| Err("the inspection panicked".to_owned())))
-    });
     let mut failed = Vec::new();
-    for report in reports {
-        let (lines, wrong) = report?;
+    for level in ["3", "\"s\""] {
+        let (lines, wrong) = inspected(target.as_deref(), level)?;
         print!("{lines}");
         failed.extend(wrong);
     }
     if failed.is_empty() { Ok(()) } else { Err(failed.join("; ").into()) }
 }
 
-/// Levels of optimisation, and the names of their folders.
-const LEVELS: [(&str, &str); 2] = [("3", "speed"), ("\"s\"", "size")];
-
 /// The findings at a level of optimisation, and the versions at fault.
-fn inspected(target: Option<&str>, level: (&str, &str)) -> Result<(String, Vec<String>), Box<dyn Error>> {
+fn inspected(target: Option<&str>, level: &str) -> Result<(String, Vec<String>), Box<dyn Error>> {
     let (mut lines, mut failed) = (String::new(), Vec::new());
     for features in ["alone", "alone,single"] {
         let assembly = assembly(target, features, level)?;
-        let title = format!("opt-level {}, {features}", level.0);
+        let title = format!("opt-level {level}, {features}");
         if !computes(&assembly) {
             return Err(format!("{title}: no arithmetic that is known here").into());
         }
@@ -61,14 +52,14 @@ fn inspected(target: Option<&str>, level: (&str, &str)) -> Result<(String, Vec<S
 }
 
 /// The assembly of the library, with everything that it uses.
-fn assembly(target: Option<&str>, features: &str, (level, name): (&str, &str)) -> Result<String, Box<dyn Error>> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/bare").join(name);
+fn assembly(target: Option<&str>, features: &str, level: &str) -> Result<String, Box<dyn Error>> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/bare");
     fs::create_dir_all(&folder)?;
     let file = folder.join("bare.s");
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     // The profile of tests with the settings of a release; macros have little to do.
     cargo.args(["rustc", "--quiet", "--package", "reuleaux-bare", "--lib", "--crate-type", "staticlib", "--features", features]);
-    // Cargo builds one thing at a time in a folder.
+    // A folder of its own, so that other builds need not wait.
     cargo.arg("--target-dir").arg(&folder);
     let level = format!("opt-level={level}");
     let release = ["debug-assertions=false", "overflow-checks=false", "incremental=false", "package.reuleaux-compiler.opt-level=0"];

@@ -113,20 +113,23 @@ impl Diag {
     ///
     /// A word that cannot be a name is reported once, not for each use. No error is reported after [`exhaust`](Diag::exhaust).
     pub fn refuse<T>(&mut self, range: impl Into<Range>, fact: impl Into<Fact>) -> Option<T> {
-        let fact = fact.into();
+        self.add(range.into(), fact.into());
+        None
+    }
+
+    fn add(&mut self, range: Range, fact: Fact) {
         let is_known = |refusal: &Refusal| match &refusal.fact {
             Fact::Grammar(GrammarFact::Keyword { word }) => is_about(&fact, word),
             Fact::Grammar(GrammarFact::Expected { found, .. }) => found == "`_`" && is_about(&fact, "_"),
             _ => false,
         };
         if self.is_exhausted || self.refusals.iter().any(is_known) {
-            return None;
+            return;
         }
         if let Fact::Grammar(GrammarFact::Keyword { word }) = &fact {
             self.refusals.retain(|refusal| !is_about(&refusal.fact, word));
         }
-        self.refusals.push(Refusal { fact, range: range.into() });
-        None
+        self.refusals.push(Refusal { fact, range });
     }
 
     /// Names the first doubt beside errors about lengths, of which it is likely the cause.

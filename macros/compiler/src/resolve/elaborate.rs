@@ -98,19 +98,21 @@ impl Elaborator<'_> {
     /// Reports an error. Inside a definition that is being instantiated it is reported at the joint that uses the definition.
     pub(super) fn refuse<T>(&mut self, range: impl Into<Range>, fact: impl Into<Fact>) -> Option<T> {
         let fact = fact.into();
-        match self.blame.clone() {
-            None => self.refuse_here(range, fact),
+        let (range, fact) = match self.blame.clone() {
+            None => (range.into(), fact),
             Some(Instance { place, definition, quantities }) => {
-                self.refuse_here(place, Fact::InDefinition { definition, quantities, fact: Box::new(fact) })
+                (place, Fact::InDefinition { definition, quantities, fact: Box::new(fact) })
             }
-        }
+        };
+        self.refuse_here(range, fact)
     }
 
     /// Reports an error at this very range, and names the current item if its declaration is expanded several times.
     pub(super) fn refuse_here<T>(&mut self, range: impl Into<Range>, fact: impl Into<Fact>) -> Option<T> {
+        let fact = fact.into();
         let fact = match &self.place {
-            Some(place) => Fact::InInstance { place: place.clone(), fact: Box::new(fact.into()) },
-            None => fact.into(),
+            Some(place) => Fact::InInstance { place: place.clone(), fact: Box::new(fact) },
+            None => fact,
         };
         self.diag.refuse(range, fact)
     }
