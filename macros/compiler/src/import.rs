@@ -21,6 +21,8 @@ pub(crate) struct Imported {
     pub(crate) components: Vec<Shared<ComponentItem>>,
     /// The definitions that the components see.
     pub(crate) homes: Vec<ComponentHome>,
+    /// By the name of each `use` item, the names in the mechanism that it brings in.
+    pub(crate) brought: BTreeMap<String, Vec<String>>,
     /// By name in the mechanism, a component, its crate and tokens, and true if its name is that of a `use` item.
     known: BTreeMap<String, (Shared<ComponentItem>, String, bool)>,
     /// The same of constraints.
@@ -45,6 +47,9 @@ pub(crate) fn imported(tree: &Mechanism, known: TokenStream, diag: &mut Diag) ->
             let own = plain(&defined.head().name);
             let is_single = is_named && is_single;
             let called = Called { used: &name, word: if is_single { plain(&name) } else { own.clone() }, is_single };
+            if is_named {
+                all.brought.entry(name.to_string()).or_default().push(called.word.clone());
+            }
             let text = format!("{origin} {tokens}");
             match defined {
                 Defined::Constraint(definition) => {

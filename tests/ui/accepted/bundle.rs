@@ -1,3 +1,5 @@
+#![deny(warnings)]
+
 reuleaux::mechanism! {
     pub mechanism Crank {
         use elsewhere::columns;

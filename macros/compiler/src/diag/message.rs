@@ -126,6 +126,7 @@ impl fmt::Display for Doubt {
                 write!(f, "\nhelp: take a larger base circle or a longer rise")
             }
             Doubt::MotionEnds(fact) => write!(f, "{fact}"),
+            Doubt::UnusedImport { name } => write!(f, "nothing in this mechanism uses `{name}`\nhelp: remove `{name}` from `use`"),
         }
     }
 }

@@ -87,6 +87,11 @@ pub enum Doubt {
     },
     /// The motion ends before it has repeated itself as a whole.
     MotionEnds(Box<Fact>),
+    /// Nothing is used of a definition or a bundle that `use` brings in. The suggestion of `unused_imports` would delete a part of the item only.
+    UnusedImport {
+        /// Its name in the mechanism.
+        name: String,
+    },
 }
 
 /// Use of a number as an angle.
@@ -112,6 +117,7 @@ impl Warning {
             Doubt::CenteredRod { .. } => "centered_rod",
             Doubt::Undercut { .. } => "undercut",
             Doubt::MotionEnds(_) => "motion_ends",
+            Doubt::UnusedImport { .. } => "unused_import",
         };
         let (name, words) = (Ident::new(name, self.range.first), self.doubt.to_string());
         quote! {

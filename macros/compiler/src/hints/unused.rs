@@ -7,6 +7,7 @@
 
 use crate::diag::{Doubt, Warning};
 use crate::syntax::ast::{Defined, Definitions, Expression, ExpressionKind, Item, Mechanism, every_item};
+use crate::syntax::plain;
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use std::collections::BTreeMap;
 
@@ -36,8 +37,23 @@ pub(crate) fn unused<'a>(tree: &'a Mechanism, tokens: TokenStream, doubts: &[War
             _ => {}
         }
     }
-    names.retain(|name| written.get(&name.to_string()) == Some(&1));
+    names.retain(|name| written.get(&plain(name)) == Some(&1));
     names
+}
+
+/// Warnings of `use` items of which nothing is used. `brought`: the names in the mechanism that each brings in.
+pub(crate) fn unused_imports(tree: &Mechanism, tokens: TokenStream, brought: &BTreeMap<String, Vec<String>>) -> Vec<Warning> {
+    let mut written = BTreeMap::new();
+    count(tokens, &mut written);
+    let uses = tree.items.iter().filter_map(|item| if let Item::Use(uses) = item { Some(uses) } else { None });
+    let is_unused = |name: &&Ident| {
+        let own = plain(name);
+        // The `use` item itself writes its name.
+        let is_written = |word: &String| written.get(word).is_some_and(|times| *times > usize::from(*word == own));
+        brought.get(&name.to_string()).is_some_and(|words| !words.iter().any(is_written))
+    };
+    let warning = |name: &Ident| Warning { doubt: Doubt::UnusedImport { name: name.to_string() }, range: name.into() };
+    uses.flatten().map(|used| &used.name).filter(is_unused).map(warning).collect()
 }
 
 /// The arguments of definitions in `constraint!` that are written once, where they are declared.
@@ -49,7 +65,7 @@ pub(crate) fn unused_arguments(definitions: &Definitions) -> Vec<&Ident> {
             let mut written = BTreeMap::new();
             count(tokens_of(defined).unwrap_or(&export.tokens).clone(), &mut written);
             let formals = defined.head().parameters.iter().map(|formal| &formal.name);
-            names.extend(formals.filter(|name| written.get(&name.to_string()) == Some(&1)));
+            names.extend(formals.filter(|name| written.get(&plain(name)) == Some(&1)));
         }
     }
     names
@@ -58,7 +74,7 @@ pub(crate) fn unused_arguments(definitions: &Definitions) -> Vec<&Ident> {
 fn count(tokens: TokenStream, written: &mut BTreeMap<String, usize>) {
     for token in tokens {
         match token {
-            TokenTree::Ident(name) => *written.entry(name.to_string()).or_default() += 1,
+            TokenTree::Ident(name) => *written.entry(plain(&name)).or_default() += 1,
             TokenTree::Group(group) => count(group.stream(), written),
             _ => {}
         }
