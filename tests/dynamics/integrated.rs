@@ -398,3 +398,54 @@ fn a_motion_whose_drive_turns_against_a_joint_ends_with_that_joint() {
         assert!((before.blade().position.y + 1.5_f64.cos().ln()).abs() < 100.0 * tolerance, "{tolerance:e}: {}", before.blade().position);
     }
 }
+
+/// A crank on a universal joint, a rod and a ball on a rocker, of which only the place of the rocker is roughly declared.
+macro_rules! rocking {
+    ($(#[$attribute:meta])* $name:ident, $($drive:tt)*) => {
+        mechanism! {
+            /// The drive turns the crank from where its angle is 0.
+            $(#[$attribute])*
+            pub(crate) mechanism $name in space {
+                body crank {
+                    axis u = (-0.2, -0.1, 0.5);  axis cross = (-1.3, -0.4, -0.2);
+                    point A = (0mm, 0mm, 0mm);  point B = (16mm, -39mm, 136mm);
+                }
+                body rod { axis cross = (0, 0.2, -0.8);  point C = (-373mm, -196mm, -37mm); }
+                body rocker { axis u = (-0.8, 0.9, -0.2);  point C = (164mm, -9mm, 139mm);  start position = (-108mm, -90mm, -220mm); }
+                joint axle = revolute((-159mm, -100mm, 68mm), (0.2, 0.1, 0.5), crank.A, crank.u);
+                joint hooke = universal(crank.B, crank.cross, rod.position, rod.cross);
+                joint ball = spherical(rod.C, rocker.C);
+                joint pivot = revolute((-91mm, -69mm, -218mm), (-0.2, -0.8, -0.9), rocker.position, rocker.u);
+                drive motor = { $($drive)* }
+                output knee = crank.B;
+                output gap = rod.C - rocker.C;
+                output length = norm(rocker.C - crank.B);
+            }
+        }
+    };
+}
+rocking!(
+    #[integrated]
+    Rated,
+    rate(axle.angle) == 2rad_s;
+);
+rocking!(Turned, axle.angle == 2rad_s * t;);
+
+/// At the angle of the rod's joint that the declared place suggests, nothing closes.
+#[test]
+fn a_crank_with_a_driven_rate_starts_where_its_angle_is_zero() {
+    let (rated, turned) = (Rated::default(), Turned::default());
+    let mut state = rated.initial_state().unwrap();
+    let mut integrator = Integrator::new(1e-11);
+    for step in 1..=10 {
+        let t = f64::from(step) * 0.01;
+        rated.advance(&mut state, t, &mut integrator).unwrap();
+        let (found, wanted) = (rated.knee(&state), turned.knee(&turned.solve(t).unwrap()));
+        assert!((found.value - wanted.value).norm() < 1e-10, "{t}: {found:?} {wanted:?}");
+        assert!((found.rate - wanted.rate).norm() < 1e-10, "{t}: {found:?} {wanted:?}");
+        assert!((found.acceleration - wanted.acceleration).norm() < 1e-10, "{t}: {found:?} {wanted:?}");
+        let (gap, length) = (rated.gap(&state), rated.length(&state));
+        assert!(gap.value.norm() < 1e-14 && gap.rate.norm() < 1e-13 && gap.acceleration.norm() < 1e-12, "{t}: {gap:?}");
+        assert!((length.value - 0.373_f64.hypot(0.196).hypot(0.037)).abs() < 1e-14 && length.rate.abs() < 1e-13, "{t}: {length:?}");
+    }
+}

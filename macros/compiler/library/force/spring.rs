@@ -10,7 +10,7 @@
 /// ```
 ///
 /// `at P` it pulls towards `Q` where it is longer than `rest`, and pushes where it is shorter. Degenerate case: at length zero the line has
-/// no direction.
+/// no direction, whatever `rest` is. Where the ends meet, write `at P: k * (Q - P);  at Q: k * (P - Q);` in a force of your own.
 ///
 /// Reference: Nikravesh, section 9.4; Haug, section 6.2.
 force spring(P: Point, Q: Point, stiffness: Stiffness, rest: Length = 0mm) {

@@ -7,9 +7,10 @@ use super::{Coordinate, Equation};
 use crate::expr::{Arena, Evaluator, Exact, Expr, Leaf, Values, evaluate};
 use crate::linear::Echelon;
 use crate::linear::dense::cholesky;
-use crate::model::{Model, tabulated};
+use crate::model::{Model, defaults, tabulated};
 use crate::quantity::{Dim, Role};
 use crate::structure::SMALL;
+use std::f64::consts::PI;
 
 /// A coordinate is pinned first if the equations leave more than this fraction of it open.
 const CLEARLY: f64 = 0.1;
@@ -28,6 +29,9 @@ const HOLDS: f64 = 1e-12;
 
 /// Largest changes of the angles and of the components of quaternions that lead to configurations beside the declared start.
 const SWAYS: [f64; 6] = [0.1, 0.2, 0.3, 0.5, 0.7, 1.0];
+
+/// Attempts with changes of up to half a turn, where none closes nearer to the declared start.
+const WIDE: usize = 24;
 
 /// Added to the diagonal of Φ_q Φ_qᵀ, since rows may depend on each other.
 const DAMPING: f64 = 1e-13;
@@ -80,10 +84,8 @@ fn is_declared(model: &Model, coordinate: &Coordinate) -> bool {
 fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], [equations, of_speeds]: [&[Equation]; 2]) -> Open {
     let kept = |(start, unknowns)| Open { start, unknowns, keeps_declared: true };
     let functions = |number: u32, x: f64| tabulated(&model.functions, number, x);
-    let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
-    let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
-    let parameters = evaluate(arena, &defaults, &nothing);
-    let known = Values { parameters: &parameters, ..nothing };
+    let parameters = defaults(model, arena);
+    let known = Values { time: 0.0, parameters: &parameters, coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
     let start = |coordinate: &Coordinate| coordinate.start.and_then(|start| evaluate(arena, &[start], &known).pop()).unwrap_or(0.0);
     let declared: Vec<f64> = coordinates.iter().map(start).collect();
     let is_declared: Vec<bool> = coordinates.iter().map(|coordinate| is_declared(model, coordinate)).collect();
@@ -115,25 +117,42 @@ fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], [equations, of
         let open = if held.is_empty() { rows.open(&closed, &is_declared) } else { open };
         return kept((closed, open));
     }
-    // A coordinate whose rate is a freedom is rather held at 0 than another one at a declared start at which nothing closes.
-    let rates: Vec<usize> = of_speeds.iter().filter(|row| row.is_initial && row.jacobian.len() == 1).map(|row| row.jacobian[0].0).collect();
+    // Steps that end at a smallest gap say nothing about other configurations.
+    let from = |attempt: usize, held: &[usize]| {
+        let mut there = swayed(attempt);
+        held.iter().for_each(|unknown| there[*unknown] = declared[*unknown]);
+        there
+    };
+    let most = if declared.len() <= SMALL { SWAYS.len() + WIDE } else { 0 };
+    let mut closed_anywhere = |held: &[usize]| (0..=most).find_map(|attempt| rows.closed_near(&from(attempt, held), held));
+    // A coordinate whose rate alone is known is rather held at 0 than another one at a declared start at which nothing closes.
+    let rates: Vec<usize> = of_speeds.iter().filter(|row| row.jacobian.len() == 1).map(|row| row.jacobian[0].0).collect();
     let is_rate: Vec<bool> = (0..declared.len()).map(|unknown| rates.contains(&unknown)).collect();
     let may_be_held = !rates.is_empty() && !rates.iter().any(|unknown| is_declared[*unknown]);
-    match may_be_held.then(|| rows.closed_near(&declared, &rates)).flatten() {
-        Some(closed) => Open { unknowns: rows.open(&closed, &is_rate), start: closed, keeps_declared: false },
-        // It does not close, as is said later of its joints; until then its freedoms are counted beside the start.
-        None => {
-            let beside = may_leave_fewer.then(|| rows.open(&swayed(1), &is_declared));
-            kept((declared, beside.filter(|beside| beside.len() < open.len()).unwrap_or(open)))
-        }
+    if let Some(closed) = may_be_held.then(|| closed_anywhere(&rates)).flatten() {
+        return Open { unknowns: rows.open(&closed, &is_rate), start: closed, keeps_declared: false };
     }
+    if closed_anywhere(&open).is_some() {
+        return kept((declared, open));
+    }
+    if let Some(closed) = closed_anywhere(&held) {
+        let open = rows.open(&closed, &is_declared);
+        return kept((closed, open));
+    }
+    // It does not close, as is said later of its joints; until then its freedoms are counted beside the start.
+    let beside = may_leave_fewer.then(|| rows.open(&swayed(1), &is_declared));
+    kept((declared, beside.filter(|beside| beside.len() < open.len()).unwrap_or(open)))
 }
 
-/// Change of an unknown in an attempt; none in the first.
+/// Change of an unknown in an attempt; none in attempt 0.
 fn sway(unknown: usize, attempt: usize) -> f64 {
     // Multiples of the golden section modulo 1 are unrelated.
-    let share = 2.0 * ((unknown * SWAYS.len() + attempt) as f64 * 0.618_033_988_749_895).fract() - 1.0;
-    attempt.checked_sub(1).map_or(0.0, |one| SWAYS[one] * share)
+    let share = |attempts: usize| 2.0 * ((unknown * attempts + attempt) as f64 * 0.618_033_988_749_895).fract() - 1.0;
+    match attempt.checked_sub(1) {
+        None => 0.0,
+        Some(one) if one < SWAYS.len() => SWAYS[one] * share(SWAYS.len()),
+        Some(_) => PI * share(SWAYS.len() + WIDE),
+    }
 }
 
 /// Equations of positions, at the defaults and t = 0.
