@@ -429,7 +429,11 @@ rocking!(
     Rated,
     rate(axle.angle) == 2rad_s;
 );
-rocking!(Turned, axle.angle == 2rad_s * t;);
+rocking!(
+    #[closure(start)]
+    Turned,
+    axle.angle == 2rad_s * t;
+);
 
 /// At the angle of the rod's joint that the declared place suggests, nothing closes.
 #[test]
