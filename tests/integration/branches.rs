@@ -113,3 +113,33 @@ fn no_step_of_a_six_bar_driven_from_afar_leaves_its_branch() {
 fn no_step_of_a_group_of_the_fourth_class_leaves_its_branch() {
     no_step_leaves_its_branch::<Fourth, _>();
 }
+
+mechanism! {
+    /// A crank-rocker.
+    pub mechanism Rocking {
+        param coupler: Length = 350mm;
+        body crank { point A = (100mm, 0mm); }
+        body rod { point B = (coupler, 0mm); }
+        body rocker { point B = (300mm, 0mm);  start angle = 120deg; }
+        joint first = revolute(ground.position, crank.position);
+        joint second = revolute(crank.A, rod.position);
+        joint third = revolute(rod.B, rocker.B);
+        joint fourth = revolute((400mm, 0mm), rocker.position);
+        drive motor = drive_angle(crank, 1rad_s * t);
+        slice output swing = rocker.angle;
+    }
+}
+
+/// With the new length the rocker is 15 degrees away. The output is no unknown, whatever its unit.
+#[test]
+fn a_slice_that_would_lose_its_branch_names_the_unknown_that_would_jump() {
+    let rocking = Rocking::default();
+    let (mut whole, mut slice) = (rocking.solve(0.1).unwrap(), rocking.solve_for_swing().solve(0.1).unwrap());
+    let shorter = Rocking { coupler: 0.28 };
+    let failure = shorter.solve_for_swing().advance(&mut slice, 0.1).unwrap_err().to_string();
+    assert_eq!(failure, shorter.advance(&mut whole, 0.1).unwrap_err().to_string());
+    let there = shorter.solve(0.1).unwrap();
+    let turned = [there.rod().angle - whole.rod().angle, there.rocker().angle - whole.rocker().angle].map(f64::to_degrees);
+    let names_jump = |(body, turned): (&str, f64)| failure.ends_with(&format!("`{body}.angle` would jump by {:.1}°", turned.abs()));
+    assert!(["rod", "rocker"].into_iter().zip(turned).any(names_jump), "{failure} {turned:?}");
+}

@@ -129,13 +129,13 @@ fn continued(tree: &ast::Mechanism, tokens: TokenStream, known: TokenStream, mut
     let whole = whole.as_ref().unwrap_or(tree);
     let compiled = rooms(whole, imported.definitions, &mut diag);
     let doubts = compiled.as_ref().map_or(&[][..], |compiled| &compiled.model.doubts);
-    let mut unused = diag::of_unused(&hints::unused(tree, tokens.clone(), doubts));
-    unused.extend(hints::unused_imports(tree, tokens, &imported.brought).iter().map(diag::Warning::to_tokens));
+    let hints::Unused { names, imports } = hints::unused(tree, tokens, &imported.brought, doubts);
+    let (names, imports) = (diag::of_unused(&names), imports.iter().map(diag::Warning::to_tokens));
     match compiled {
         Some(Compiled { model, system, assembly, motion, plan, picture, .. }) => {
             let tokens = emit::emit(&model, &system, &assembly, &motion, &plan, &picture);
             let unwritten = expansion::write(&model.name.to_string(), &tokens);
-            quote!(#tokens #unused #unwritten)
+            quote!(#tokens #names #(#imports)* #unwritten)
         }
         None => {
             let (errors, stub) = (diag.to_tokens(), stub::stub(whole));

@@ -1,4 +1,6 @@
-//! Vectors, and orders of their entries. These functions are compiled once for each length; closures in functions of a mechanism would be compiled once for each mechanism.
+//! Vectors, and orders of their entries.
+//!
+//! These functions are compiled once for each length; closures in functions of a mechanism would be compiled once for each mechanism.
 
 use nalgebra::{ArrayStorage, SMatrix, SVector};
 

@@ -91,11 +91,12 @@ pub(super) fn comes_from<T: SolverReal, const N: usize>(
     comes
 }
 
-/// The jump between two positions, by the coordinate in which they differ most.
+/// The jump between two positions, by the unknown in which they differ most: in a slice outputs are no unknowns.
 pub(crate) fn jump<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, from: &SVector<T, N>, to: &SVector<T, N>) -> Cause<T> {
     let scale = mechanism.scale();
     let share = |i: usize| ((to[i] - from[i]) / scale.column[i]).abs();
-    let most = (0..N).fold(0, |best, i| if share(i) > share(best) { i } else { best });
+    let unknowns = mechanism.iterated.iter().copied().filter(|&i| i < N);
+    let most = unknowns.reduce(|best, i| if share(i) > share(best) { i } else { best }).unwrap_or(0);
     let jump = to.get(most).zip(from.get(most)).map_or(T::of(f64::NAN), |(&to, &from)| to - from);
     Cause::BranchLost { coordinate: names::coordinate(mechanism.coordinates, most), jump }
 }

@@ -87,7 +87,7 @@ pub enum Doubt {
     },
     /// The motion ends before it has repeated itself as a whole.
     MotionEnds(Box<Fact>),
-    /// Nothing is used of a definition or a bundle that `use` brings in. The suggestion of `unused_imports` would delete a part of the item only.
+    /// Nothing is used of a definition or a bundle that `use` brings in. rustc's own lint would suggest to delete half of the item.
     UnusedImport {
         /// Its name in the mechanism.
         name: String,

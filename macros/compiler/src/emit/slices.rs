@@ -10,7 +10,6 @@ use super::stages::{StateLayout, results, stages_of};
 use super::{allowed, docs, plan_constant, state_path};
 use crate::model::Method;
 use crate::plan::{Slice, Solving};
-use crate::quantity::Dim;
 use crate::system::COSINES;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -109,13 +108,11 @@ impl Emitter<'_> {
         let outputs: Vec<(String, [String; 4])> =
             method.members.iter().flat_map(|member| docs::components(self.system, &self.model.outputs[*member])).collect();
         let is_of_velocities = method.members.iter().any(|member| self.model.outputs[*member].derivatives == 1);
-        let is_angle = method.members.iter().all(|member| self.model.outputs[*member].dim == Dim::ANGLE);
         let entry = |entry: usize| {
             let name = outputs.get(entry % outputs.len()).map_or("", |output| output.0.as_str());
             let (whole, part) = name.rsplit_once('.').unwrap_or((name, "value"));
             match entry < outputs.len() {
                 true if is_of_velocities => quote!(::reuleaux::Coordinate::velocity(#whole, #part)),
-                true if is_angle => quote!(::reuleaux::Coordinate::angle(#whole, #part)),
                 true => quote!(::reuleaux::Coordinate::length(#whole, #part)),
                 false => quote!(::reuleaux::Coordinate::jerk(#whole, #part)),
             }

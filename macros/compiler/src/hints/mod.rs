@@ -25,4 +25,4 @@ pub(crate) use lengths::Lengths;
 pub(crate) use outputs::{OutputKind, derivatives, output_kind};
 pub(crate) use promised::{has_forces, has_inputs};
 pub(crate) use rods::centered_rods;
-pub(crate) use unused::{unused, unused_arguments, unused_imports};
+pub(crate) use unused::{Unused, unused, unused_arguments};

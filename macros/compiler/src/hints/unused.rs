@@ -11,11 +11,24 @@ use crate::syntax::plain;
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use std::collections::BTreeMap;
 
-/// The names of parameters, inputs, `let`s, functions, components and their arguments that are written once, where they are declared.
-/// `tokens`: given, all of the mechanism; `doubts`: given, the warnings about it.
+/// What nothing in a mechanism uses.
+pub(crate) struct Unused<'a> {
+    /// Parameters, inputs, `let`s, functions, components and their arguments that are written once, where they are declared.
+    pub(crate) names: Vec<&'a Ident>,
+    /// `use` items that bring in nothing of what is used.
+    pub(crate) imports: Vec<Warning>,
+}
+
+/// Finds what nothing uses. `tokens`: given, all of the mechanism; `brought`: given, the names in the mechanism that each `use` item brings in;
+/// `doubts`: given, the warnings about the mechanism.
 ///
 /// A word that is written again with another meaning counts as a use. Of a parameter whose default is doubtful one warning is enough.
-pub(crate) fn unused<'a>(tree: &'a Mechanism, tokens: TokenStream, doubts: &[Warning]) -> Vec<&'a Ident> {
+pub(crate) fn unused<'a>(
+    tree: &'a Mechanism,
+    tokens: TokenStream,
+    brought: &BTreeMap<String, Vec<String>>,
+    doubts: &[Warning],
+) -> Unused<'a> {
     let is_doubtful = |default: &Expression| {
         let number = |doubt: &Warning| if let Doubt::BareLength { number, .. } = &doubt.doubt { Some(number.clone()) } else { None };
         matches!(&default.kind, ExpressionKind::Number { digits, unit } if unit.is_empty()
@@ -23,7 +36,7 @@ pub(crate) fn unused<'a>(tree: &'a Mechanism, tokens: TokenStream, doubts: &[War
     };
     let mut written = BTreeMap::new();
     count(tokens, &mut written);
-    let mut names = Vec::new();
+    let (mut names, mut imports) = (Vec::new(), Vec::new());
     for item in every_item(&tree.items) {
         match item {
             Item::Parameter(parameter) if is_doubtful(&parameter.default) => {}
@@ -34,26 +47,19 @@ pub(crate) fn unused<'a>(tree: &'a Mechanism, tokens: TokenStream, doubts: &[War
                 names.push(&component.head.name);
                 names.extend(component.head.parameters.iter().map(|formal| &formal.name));
             }
+            Item::Use(uses) => imports.extend(uses.iter().map(|used| &used.name)),
             _ => {}
         }
     }
     names.retain(|name| written.get(&plain(name)) == Some(&1));
-    names
-}
-
-/// Warnings of `use` items of which nothing is used. `brought`: the names in the mechanism that each brings in.
-pub(crate) fn unused_imports(tree: &Mechanism, tokens: TokenStream, brought: &BTreeMap<String, Vec<String>>) -> Vec<Warning> {
-    let mut written = BTreeMap::new();
-    count(tokens, &mut written);
-    let uses = tree.items.iter().filter_map(|item| if let Item::Use(uses) = item { Some(uses) } else { None });
-    let is_unused = |name: &&Ident| {
+    imports.retain(|name| {
         let own = plain(name);
         // The `use` item itself writes its name.
         let is_written = |word: &String| written.get(word).is_some_and(|times| *times > usize::from(*word == own));
         brought.get(&name.to_string()).is_some_and(|words| !words.iter().any(is_written))
-    };
+    });
     let warning = |name: &Ident| Warning { doubt: Doubt::UnusedImport { name: name.to_string() }, range: name.into() };
-    uses.flatten().map(|used| &used.name).filter(is_unused).map(warning).collect()
+    Unused { names, imports: imports.into_iter().map(warning).collect() }
 }
 
 /// The arguments of definitions in `constraint!` that are written once, where they are declared.

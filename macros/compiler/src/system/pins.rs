@@ -1,6 +1,7 @@
 //! Coordinates that only equations of speeds determine keep their declared start values. One without a declared start keeps 0 if the
 //! mechanism closes there, and otherwise its value in a configuration nearby that satisfies the equations of positions. If the mechanism does
-//! not close at the declared values, these are only the guess for such a configuration, provided that no unknown whose rate is a freedom has one.
+//! not close at the declared values, these are only the guess for such a configuration; then an unknown without a declared start whose rate alone
+//! is given, by a freedom or by a drive, keeps 0. If no steps from the guess lead to such a configuration, others are guesses.
 
 use super::rows::Row;
 use super::{Coordinate, Equation};
