@@ -216,6 +216,7 @@ impl Judge<'_> {
         let named = in_line.as_ref().unwrap_or(&iterated);
         let names = named.iter().map(|body| numeric.model.bodies[*body].name.to_string()).collect();
         let fact = AssemblyFact::SingularStart {
+            neglected: numeric.model.neglected(0..numeric.model.joints.len()),
             bodies: names,
             in_line: in_line.is_some(),
             drives: self.drives(index),

@@ -43,7 +43,7 @@ codes! {
     E0001: Grammar::Syntax Grammar::Expected Grammar::ArgumentByEquals Grammar::Unnamed Motion::EquationWithoutBraces Motion::RateBeforeStart
         Motion::PlaceWithoutAt Motion::StartWithEquals Motion::FreedomWithoutName Grammar::OneEqualsSign
         Grammar::HashComment Grammar::CommaAtEnd Grammar::DecimalComma Grammar::OutputWithoutName Grammar::OutputWithDimension
-        Grammar::TwoConditions Grammar::ComparisonOutside Grammar::StraySemicolon Grammar::Return;
+        Grammar::TwoConditions Grammar::ComparisonOutside Grammar::ForceBeforePlace Grammar::StraySemicolon Grammar::Return;
     E0002: Grammar::NotANumber;
     E0003: Grammar::TooDeep Grammar::TooLong Grammar::LongChain Grammar::PartsTooDeep;
     E0004: Grammar::Keyword;
@@ -82,7 +82,7 @@ codes! {
     E0203: Arity::UnknownArgument Array::ParameterAsArgument;
     E0204: Arity::DuplicateArgument;
     E0205: Arity::PositionalAfterNamed;
-    E0206: Arity::FunctionArity Arity::ShapeArity Value::TableArity Value::SplineArity Value::SegmentsArity;
+    E0206: Arity::FunctionArity Arity::LawArity Arity::ShapeArity Value::TableArity Value::SplineArity Value::SegmentsArity;
     E0207: Grammar::OneArgument Value::FunctionNeedsArgument;
     E0208: Arity::DefaultBefore;
     // Kinds and dimensions.
@@ -90,7 +90,7 @@ codes! {
         Motion::GravityWithoutDirection
         Motion::ForceAtNoPoint Motion::TorqueOnNoBody Motion::ValueForForce Motion::ValueForConstraint Motion::FreedomOfJoint
         Motion::FreedomOfOrientation Motion::FreedomOfNothing;
-    E0302: Value::WrongArgument Value::WrongDefault Motion::JointWithoutValue Arity::OtherOrder Arity::FunctionOrder;
+    E0302: Value::WrongArgument Value::CoordinateForAxis Value::WrongDefault Motion::JointWithoutValue Arity::OtherOrder Arity::FunctionOrder;
     E0303: Value::WrongArgumentDimension;
     E0304: Value::Unlike Value::NotARate;
     E0305: Value::WrongDimension Value::NotAnEnergy Value::OfFunction Value::NotALength Motion::RateForStart Motion::StartForRate;

@@ -4,7 +4,7 @@ mod motion;
 mod system;
 
 pub use motion::{JerkObstacle, JointValue, MotionFact, Word};
-pub use system::{Count, Demand, Forgotten, NoPosition, SystemFact};
+pub use system::{Count, Demand, Forgotten, Neglected, NoPosition, SystemFact};
 
 use super::{Doubt, Home, Kind, Wanted};
 use crate::quantity::{Ambient, Dim, Role};
@@ -84,6 +84,7 @@ pub enum GrammarFact {
     OutputWithDimension { name: String },
     TwoConditions,
     ComparisonOutside,
+    ForceBeforePlace { name: String, clause: String },
     StraySemicolon,
     UnitRaised { written: String, unit: String, squared: String },
     RustConstant { written: String, instead: &'static str },
@@ -173,6 +174,7 @@ pub enum ArityFact {
     DuplicateArgument { name: String, is_also_in_order: bool },
     PositionalAfterNamed { next: Option<String> },
     FunctionArity { name: String, wanted: usize, found: usize },
+    LawArity { name: String, found: usize },
     ShapeArity { name: String, call: &'static str, wanted: usize, found: usize },
     OtherOrder { name: String, instead: String, signature: String },
     FunctionOrder { name: String, call: String },
@@ -186,6 +188,7 @@ pub enum ValueFact {
     RangeWithoutEnd,
     NotA { wanted: Wanted, found: Kind, ambient: Ambient },
     WrongArgument { parameter: String, definition: String, wanted: Wanted, found: Kind, ambient: Ambient, instead: Option<String> },
+    CoordinateForAxis { parameter: String, definition: String, body: String, name: String },
     WrongArgumentDimension { parameter: String, definition: String, wanted: Dim, found: Dim },
     WrongDefault { wanted: Wanted, found: Kind },
     WrongDimension { wanted: Dim, found: Dim },
@@ -313,6 +316,7 @@ pub enum AssemblyFact {
         kind: String,
     },
     SingularStart {
+        neglected: Option<Box<Neglected>>,
         bodies: Vec<String>,
         in_line: bool,
         drives: Vec<String>,

@@ -46,6 +46,15 @@ pub(super) fn of_kind(wanted: &Wanted, found: &Kind, ambient: Ambient) -> &'stat
     }
 }
 
+/// The drive of a joint that cannot be the argument of another drive.
+pub(super) fn of_drive(definition: &str, found: &Kind) -> Option<&'static str> {
+    match (definition, found) {
+        ("drive_angle" | "drive_relative_angle", Kind::JointOf(kind)) if kind == "translational" => Some("drive_along(slide, law)"),
+        ("drive_along", Kind::JointOf(kind)) if kind == "revolute" => Some("drive_angle(body, law)"),
+        _ => None,
+    }
+}
+
 /// The force about an axis that corresponds to one along a line between points.
 pub(super) fn about_an_axis(definition: &str, found: &Kind) -> Option<&'static str> {
     match definition {

@@ -9,7 +9,17 @@ const LONGEST: usize = 60;
 const ADDED: [&str; 9] = ["joint", "joints", "constraint", "force", "object", "connector", "mate", "element", "pair"];
 
 /// Words of the language with their synonyms elsewhere.
-const SYNONYMS: [(&str, &[&str]); 77] = [
+const SYNONYMS: [(&str, &[&str]); 87] = [
+    ("Number", &["f32", "f64", "float", "double", "real", "scalar", "int", "integer", "i32", "u32", "usize"]),
+    ("Length", &["m", "mm", "cm", "distance", "position", "displacement", "millimeter", "millimetre", "meter", "metre"]),
+    ("Angle", &["deg", "degree", "degrees", "rad", "radian", "radians", "rotation"]),
+    ("Time", &["s", "sec", "second", "seconds", "duration", "period"]),
+    ("Mass", &["kg", "kilogram", "weight"]),
+    ("Velocity", &["m_s", "speed", "linear_velocity"]),
+    ("AngularVelocity", &["rad_s", "rpm", "omega", "angular_speed", "angular_rate", "rotationspeed", "angularspeed"]),
+    ("Force", &["n", "newton", "newtons", "load"]),
+    ("Torque", &["nm", "moment"]),
+    ("Inertia", &["kgm2", "momentofinertia", "moment_of_inertia"]),
     ("body", &["link", "bar", "rigid", "member", "bodie"]),
     ("ground", &["frame", "base", "world", "fixed"]),
     ("param", &["parameter", "var", "variable"]),

@@ -93,6 +93,7 @@ fn nothing_to_drive(view: &Contenders, drive: usize, joints: &[usize]) -> System
         equations: [view.of_joints(), joints.iter().map(|joint| view.model.joints[*joint].residuals.len()).sum()],
         coordinates: view.coordinates(&view.group.part.unknowns),
         free: view.coordinates(view.free),
+        neglected: view.model.neglected(joints.iter().copied()),
     }
 }
 

@@ -44,7 +44,10 @@ impl Names {
             }
             (Value::Axis(_), Relation::Equal) => Some(match self.an_axis_of(other) {
                 Some(axis) => format!("take an axis of `{body}`, such as `{body}.{axis}`"),
-                None => format!("give `{body}` an `axis`, and take it here"),
+                None => match self.ambient {
+                    Ambient::Plane => format!("declare an axis in `{body}`, such as `axis u = (1, 0);`, and write `{body}.u`"),
+                    Ambient::Space => format!("declare an axis in `{body}`, such as `axis z = (0, 0, 1);`, and write `{body}.z`"),
+                },
             }),
             _ => None,
         }

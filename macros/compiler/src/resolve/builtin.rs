@@ -244,8 +244,11 @@ impl Elaborator<'_> {
         scope: &Scope,
     ) -> Option<Scalar> {
         let [argument] = arguments else {
-            let name = path.last.to_string();
-            return self.refuse(path.range, ArityFact::FunctionArity { name, wanted: 1, found: arguments.len() });
+            let (name, found) = (path.last.to_string(), arguments.len());
+            if found > 1 && library::functions().any(|law| law == name) {
+                return self.refuse(path.range, ArityFact::LawArity { name, found });
+            }
+            return self.refuse(path.range, ArityFact::FunctionArity { name, wanted: 1, found });
         };
         let value = self.scalar(argument, scope)?;
         let accepts = |this: &mut Self, from: InferredDim| match from {

@@ -197,7 +197,8 @@ impl Elaborator<'_> {
         }
         let missing = wanted.iter().zip(&slots).filter(|(formal, slot)| slot.is_none() && formal.default.is_none());
         let missing: Vec<String> = missing.map(|(formal, _)| formal.name.to_string()).collect();
-        let is_of_joint = is_between(definition) && given.first().is_some_and(|first| self.names.is_joint(&first.value));
+        let takes_joint = is_between(definition) || library::is_force(&definition.name.to_string());
+        let is_of_joint = takes_joint && given.first().is_some_and(|first| self.names.is_joint(&first.value));
         if missing.is_empty() { Some(slots) } else { self.refuse(kind, too_few(definition, given.len(), missing, is_of_joint)) }
     }
 
@@ -217,6 +218,13 @@ impl Elaborator<'_> {
         let value = self.measured(formal, value)?;
         let found = if let Value::Joint { kind, .. } = &value { Kind::JointOf(kind.clone()) } else { value.kind() };
         self.has_quantity(definition, formal, argument, &value)?;
+        if let (FormalKind::Axis, Value::Scalar(_), ast::ExpressionKind::Field(body, name)) = (&formal.kind, &value, &argument.kind)
+            && ["x", "y", "z"].iter().any(|axis| name == axis)
+        {
+            let (parameter, definition) = (formal.name.to_string(), definition.name.to_string());
+            let (body, name) = (body.to_string(), name.to_string());
+            return self.refuse(argument.range, ValueFact::CoordinateForAxis { parameter, definition, body, name });
+        }
         let instead = self.instead(&formal.kind, argument, &value);
         let wrong = |this: &mut Self| {
             let (parameter, definition, ambient) = (formal.name.to_string(), definition.name.to_string(), this.names.ambient);
@@ -292,6 +300,15 @@ impl Elaborator<'_> {
                 Ambient::Space => self.hinge_of(*frame),
             },
             (FormalKind::Body, Value::Point(fixed) | Value::Axis(fixed), _) => Some(self.names.frames[fixed.frame.0].name.clone()),
+            (FormalKind::Body, Value::Scalar(_), ast::ExpressionKind::Field(body, _))
+                if matches!(body.kind, ast::ExpressionKind::Path(_)) && !self.names.is_joint(body) =>
+            {
+                Some(body.to_string())
+            }
+            (FormalKind::Body, Value::Joint { arguments, .. }, _) => {
+                let moving = |(_, value): &(String, Value)| value.frame().filter(|frame| *frame != FrameId::GROUND);
+                arguments.iter().rev().find_map(moving).map(|frame| self.names.frames[frame.0].name.clone())
+            }
             (FormalKind::Axis, Value::Body(frame) | Value::Point(Fixed { frame, .. }), _) => {
                 let any = if self.names.ambient == Ambient::Space { "(1, 0, 0)" } else { "(1, 0)" };
                 let axis = self.names.an_axis_of(*frame).map(|axis| format!("{}.{axis}", self.names.frames[frame.0].name));

@@ -128,9 +128,14 @@ impl Elaborator<'_> {
         if holds || [one, two].iter().any(|frame| self.names.frames[frame.0].is_unknown()) {
             return Some(());
         }
-        let blamed = sides.into_iter().find(|(side, _)| place_of_argument(side, places).is_some());
-        let instead = blamed.and_then(|(side, other)| self.names.mark_instead(scope.value_of(argument_of(side)?)?, *relation, other));
-        let place = blamed.and_then(|(side, _)| place_of_argument(side, places));
+        let mut blamed = sides.into_iter().filter_map(|(side, other)| {
+            let instead = |given| self.names.mark_instead(scope.value_of(given)?, *relation, other);
+            Some((place_of_argument(side, places)?, argument_of(side).and_then(instead)))
+        });
+        let first = blamed.next();
+        // An argument in whose place another one can be proposed comes first.
+        let best = first.iter().cloned().chain(blamed).find(|(_, instead)| instead.is_some()).or(first);
+        let (place, instead) = best.map_or((None, None), |(place, instead)| (Some(place), instead));
         self.refuse_at(place, requirement.range(), EquationFact::RequirementFails { why: why.clone(), instead })
     }
 

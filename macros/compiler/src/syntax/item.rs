@@ -355,6 +355,9 @@ fn gravity(input: ParseStream) -> Parsed<Gravity> {
 /// `start joint.angle = value;`
 fn joint_start(input: ParseStream) -> Parsed<StartItem> {
     Ident::parse_any(input)?;
+    if input.peek(token::Brace) {
+        return expected(input, "a value of a joint, such as `hinge.angle`");
+    }
     Ok(StartItem { quantity: expression(input)?, value: value(input)? })
 }
 

@@ -36,6 +36,10 @@ pub(super) fn joint(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
     if input.peek(token::Paren) {
         return wrong(&name, GrammarFact::Unnamed { word, kind: name.to_string() });
     }
+    // `drive crank.angle = …`
+    if input.peek(Token![.]) && word == Word::Drive {
+        return wrong(&name, GrammarFact::Unnamed { word, kind: driving(input) });
+    }
     equals(input)?;
     let body = match () {
         () if input.peek(token::Brace) => equations(input)?,
@@ -43,6 +47,17 @@ pub(super) fn joint(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
         () => instance(input)?,
     };
     Ok(JointItem { docs, is_drive, is_redundant, is_slice: false, velocity: None, name, indices, body })
+}
+
+/// The drive of the value whose name follows.
+fn driving(input: ParseStream) -> String {
+    let ahead = input.fork();
+    let value = ahead.parse::<Token![.]>().and_then(|_| Ident::parse_any(&ahead)).map_or(String::new(), |value| value.to_string());
+    match value.as_str() {
+        "x" | "y" | "z" => format!("drive_{value}"),
+        "displacement" => "drive_translation".to_owned(),
+        _ => "drive_angle".to_owned(),
+    }
 }
 
 /// `freedom name = value from start at rate;`
@@ -123,6 +138,11 @@ fn bare(input: ParseStream, word: Word, name: &Ident) -> Parsed<JointBody> {
         let other = expression(input)?;
         let fact = MotionFact::EquationWithoutBraces { word, name: name.to_string(), equation: format!("{value} == {other}") };
         return wrong(value.range.to(other.range), fact);
+    }
+    if let Some(place) = keyword(input).filter(|place| word == Word::Force && (place == "at" || place == "on")) {
+        Ident::parse_any(input)?;
+        let clause = format!("{place} {}: {value}", expression(input)?);
+        return wrong(value.range, GrammarFact::ForceBeforePlace { name: name.to_string(), clause });
     }
     semicolon(input)?;
     Ok(JointBody::Value(Box::new(value)))

@@ -113,10 +113,19 @@ pub(super) fn comma(content: ParseStream, what: &'static str) -> Parsed<()> {
     if content.is_empty() {
         return Ok(());
     }
+    no_comparison(content)?;
     if !content.peek(Token![,]) {
         return expected(content, what);
     }
     content.parse::<Token![,]>()?;
+    Ok(())
+}
+
+/// Refuses a comparison, or a choice as in C, behind a value.
+fn no_comparison(input: ParseStream) -> Parsed<()> {
+    if input.peek(Token![<]) || input.peek(Token![>]) || input.peek(Token![<=]) || input.peek(Token![>=]) || input.peek(Token![?]) {
+        return wrong(input.span(), GrammarFact::ComparisonOutside);
+    }
     Ok(())
 }
 
@@ -127,9 +136,7 @@ pub(super) fn semicolon(input: ParseStream) -> Parsed<()> {
         let decimals = after.is_some_and(|(end, _)| end.as_char() == ';');
         return wrong(input.span(), if decimals { GrammarFact::DecimalComma } else { GrammarFact::CommaAtEnd });
     }
-    if input.peek(Token![<]) || input.peek(Token![>]) || input.peek(Token![<=]) || input.peek(Token![>=]) || input.peek(Token![?]) {
-        return wrong(input.span(), GrammarFact::ComparisonOutside);
-    }
+    no_comparison(input)?;
     if !input.peek(Token![;]) {
         let what = if input.cursor().punct().is_some() { "an operator or `;`" } else { "`;`" };
         return expected(input, what);

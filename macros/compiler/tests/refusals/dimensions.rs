@@ -47,7 +47,7 @@ crate::refusals! {
     item number_for_a_point: "joint a = revolute(ground.O, «5mm»);" => "`Q` of `revolute` takes a point, found a number\nhelp: write `(x, y)` for a place in ground, `body.P` for a point of a body";
     item point_for_an_axis: "joint a = translational(«ground.O», ground.C, ram.B);" => "`u` of `translational` takes an axis, found a point\nhelp: write `ground.u`";
     item number_for_a_function: "joint a = cam_knife(crank.O, ram.B, «5mm»);" => "`R` of `cam_knife` takes a function of one variable, found a number\nhelp: declare one, such as `function name(x: Angle) -> Length = …;`";
-    item joint_of_another_kind: "drive a = drive_along(«hinge», 5mm);" => "`slide` of `drive_along` takes a `translational` joint, found a `revolute` joint";
+    item joint_of_another_kind: "drive a = drive_along(«hinge», 5mm);" => "`slide` of `drive_along` takes a `translational` joint, found a `revolute` joint\nhelp: write `drive_angle(body, law)`";
     item sum_of_a_velocity_and_a_position: "output b = «rate(crank.A.x) + crank.A.x»;" => "cannot add a length (m) to a velocity (m/s)\nhelp: multiply the rate by `t`";
     item velocity_as_a_position: "output b = sin(«crank.angular_velocity»);" => "expected an angle (rad), found an angular velocity (rad/s)";
     item ratio_of_unlike_velocities: "let ratio: Number = «rate(crank.A.x) / crank.angular_velocity»; output b = ratio;" => "expected a pure number, found a quantity in m/rad";
@@ -58,7 +58,7 @@ crate::refusals! {
     mechanism jerk_of_a_velocity: "mechanism M { body crank { point A = (1m, 0m); } joint o = revolute(ground.position, crank.position); drive d = drive_angle(crank, 1rad_s * t); output b = rate(crank.A) with «jerk»; }" => "`b` contains velocities, and its first derivative is the last that is given\nhelp: take `with jerk` away; the position itself can be given with jerk";
     mechanism jerk_of_a_table: "mechanism M { body crank { point A = (1m, 0m); } joint o = revolute(ground.position, crank.position); drive d = drive_angle(crank, 1rad_s * t); output «b» = table(crank.angle, [(0rad, 0mm), (1rad, 2mm), (20rad, 0mm)]) with jerk; }" => "`b` has no jerk: it contains an input, a table or a Rust function, and these have two derivatives\nhelp: write the law as an expression or by `segments`, or take `with jerk` away";
     mechanism outputs_with_and_without_jerk: "mechanism M { body crank { point A = (1m, 0m); } joint o = revolute(ground.position, crank.position); drive d = drive_angle(crank, 1rad_s * t); output «b»[0] = crank.A with jerk; output b[1] = crank.A; }" => "the outputs `b` measure different things\nhelp: give outputs of another kind another name";
-    item with_something_else: "output b = crank.A with «force»;" => "expected `jerk` after `with`, found `force`";
+    item with_something_else: "output b = crank.A with «force»;" => "expected `jerk` after `with`, found `force`\nhelp: an output has its rate and its acceleration already: write it without `with`";
     item output_of_ground: "output b = «ground»;" => "an output is a number, a vector, a point or a body that moves, found ground";
     item output_of_a_function: "output b = «lift»;" => "an output is a number, a vector, a point or a body that moves, found a function";
     item negative_body: "output b = -«crank»;" => "expected a number or a vector, found a body\nhelp: its coordinates are `.x`, `.y` and `.angle`, its place is `.position`";

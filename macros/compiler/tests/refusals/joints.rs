@@ -14,10 +14,10 @@ crate::refusals! {
     item distance_on_one_body: "joint a = distance(crank.O, «crank.A», 100mm);" => "the two points of a distance constraint lie on the same body\nhelp: take a point of another body";
     item weld_of_one_body: "joint a = weld(crank.O, «crank.A»);" => "the two points of a weld lie on the same body\nhelp: take a point of another body";
     item line_on_two_bodies: "joint a = point_on_line(crank.A, «(1, 0)», ram.B);" => "the axis and the first point of a line do not lie on the same body\nhelp: take an axis of `crank`, such as `crank.v`";
-    item line_on_a_body_without_an_axis: "joint a = point_on_line(ram.B, «ground.u», crank.A);" => "the axis and the first point of a line do not lie on the same body\nhelp: give `ram` an `axis`, and take it here";
+    item line_on_a_body_without_an_axis: "joint a = point_on_line(ram.B, «ground.u», crank.A);" => "the axis and the first point of a line do not lie on the same body\nhelp: declare an axis in `ram`, such as `axis u = (1, 0);`, and write `ram.u`";
     item line_at_a_distance_on_two_bodies: "joint a = revolute_translational(ground.O, «crank.v», ram.B, 1mm);" => "the axis and the first point of a line do not lie on the same body\nhelp: take an axis of `ground`, such as `ground.u`";
     item slide_on_two_bodies: "joint a = translational(«(1, 0)», crank.A, ram.B);" => "the axis and the first point of a translational joint do not lie on the same body\nhelp: take an axis of `crank`, such as `crank.v`";
-    item face_and_normal_on_two_bodies: "joint a = cam_flat(crank.O, ram.B, «(0, 1)», lift);" => "the normal and the point of the face do not lie on the same follower\nhelp: give `ram` an `axis`, and take it here";
+    item face_and_normal_on_two_bodies: "joint a = cam_flat(crank.O, ram.B, «(0, 1)», lift);" => "the normal and the point of the face do not lie on the same follower\nhelp: declare an axis in `ram`, such as `axis u = (1, 0);`, and write `ram.u`";
     item centre_on_a_body: "joint a = absolute_distance(ram.B, «crank.A», 100mm);" => "the centre of an absolute distance does not lie on ground: use `distance` between two bodies";
     item differential_of_one_shaft: "joint a = differential(crank, «crank», ram);" => "the two shafts of a differential are the same body";
     item gear_with_itself: "joint a = gear_pair(crank, «crank», 1, 2);" => "a gear cannot mesh with itself";

@@ -73,4 +73,9 @@ crate::refusals! {
     item uses_of_a_name_with_a_meaning_are_not_refused_as_well: "body «table» { point P = (0mm, 0mm); } joint a = revolute(table.P, crank.A); output b = table(crank.angle, [(0deg, 1mm), (90deg, 2mm)]);" => "`table` has a meaning of its own in expressions\nhelp: choose another name";
     item uses_of_a_body_called_ground_are_not_refused_as_well: "body «ground» { point P = (0mm, 0mm); } joint a = revolute(ground.P, crank.A);" => "`ground` is what stands still\nhelp: its points go into `ground { … }`, without `body`; all else has another name";
     item uses_of_a_parameter_called_t_are_not_refused_as_well: "param «t»: Length = 1mm; body b { point P = (t, 0mm); }" => "`t` has a meaning of its own in expressions\nhelp: choose another name";
+    item type_of_rust_as_a_dimension: "param a: «f64» = 3;" => "no dimension is called `f64`\nhelp: did you mean `Number`?";
+    item speed_as_a_dimension: "param a: «Speed» = 3m_s;" => "no dimension is called `Speed`\nhelp: did you mean `Velocity`?";
+    item unit_as_a_dimension: "param a: «mm» = 3mm;" => "no dimension is called `mm`\nhelp: did you mean `Length`?";
+    item acceleration_of_a_point: "output b = crank.A.«acceleration»;" => "a point has no `acceleration`\nhelp: an output is given with its rate and its acceleration: write the value alone";
+    item loads_in_the_declaration: "output b = «loads».input;" => "nothing is called `loads` here\nnote: loads are computed for a state, in Rust\nhelp: write `mechanism.loads(&state)` there";
 }

@@ -80,8 +80,8 @@ crate::refusals! {
     item law_by_another_name: "output b = 5mm * «trapezoid»(crank.angle / 90deg);" => "no function is called `trapezoid`\nhelp: did you mean `modified_trapezoidal`?";
     item polynomial_by_its_short_name: "output b = 5mm * «poly345»(crank.angle / 90deg);" => "no function is called `poly345`\nhelp: did you mean `polynomial_345`?";
     item segments_of_a_number: "output b = segments(crank.angle, 40mm, [«5mm»]);" => "a segment is `rise(height, duration, law)`, `fall(height, duration, law)` or `dwell(duration)`";
-    item segment_without_law: "output b = segments(crank.angle, 40mm, [«rise»(5mm, 90deg)]);" => "`rise` takes 3 arguments, found 2";
-    item dwell_with_height: "output b = segments(crank.angle, 40mm, [«dwell»(5mm, 90deg)]);" => "`dwell` takes 1 argument, found 2";
+    item segment_without_law: "output b = segments(crank.angle, 40mm, [«rise»(5mm, 90deg)]);" => "`rise` takes 3 arguments, found 2\nnote: `rise(height, duration, law)`, with a law such as `cycloidal`";
+    item dwell_with_height: "output b = segments(crank.angle, 40mm, [«dwell»(5mm, 90deg)]);" => "`dwell` takes 1 argument, found 2\nnote: `dwell(duration)`";
     item segment_with_a_number_for_its_law: "output b = segments(crank.angle, 40mm, [rise(5mm, 90deg, «0.5»)]);" => "expected the name of a law, such as `cycloidal` or a function of a number, `scca(b, c)` or `spline([…])`";
     item segment_of_another_dimension: "output b = segments(crank.angle, 40mm, [rise(«5deg», 90deg, cycloidal)]);" => "expected a length (m), found an angle (rad)";
     item segment_that_lasts_for_a_length: "output b = segments(crank.angle, 40mm, [rise(5mm, «90mm», cycloidal)]);" => "expected an angle (rad), found a length (m)";
@@ -90,7 +90,7 @@ crate::refusals! {
     item segment_by_a_law_that_does_not_arrive: "output b = segments(crank.angle, 40mm, [rise(5mm, 90deg, «sin»)]);" => "the law of a segment goes from 0 to 1 while its argument does, and `sin` goes from 0 to 0.8415";
     item segment_without_duration: "output b = segments(crank.angle, 40mm, [rise(5mm, 90deg, cycloidal), dwell(«0deg»), fall(5mm, 270deg, cycloidal)], periodic);" => "the duration of a segment is positive, found 0°";
     item segment_backwards: "output b = segments(crank.angle, 40mm, [rise(5mm, 90deg, cycloidal), dwell(«-30deg»)]);" => "the duration of a segment is positive, found -30°";
-    item segments_short_of_a_turn: "output b = segments(crank.angle, 40mm, [rise(5mm, 90deg, cycloidal), dwell(30deg), fall(5mm, «120deg», cycloidal)], periodic);" => "a periodic program fills one turn, and these segments fill 240°, 120° less";
+    item segments_short_of_a_turn: "output b = segments(crank.angle, 40mm, [rise(5mm, 90deg, cycloidal), dwell(30deg), fall(5mm, «120deg», cycloidal)], periodic);" => "a periodic program fills one turn, and these segments fill 240°, 120° less\nhelp: add `dwell(120deg)`";
     item segments_over_a_turn: "output b = segments(crank.angle, 40mm, [rise(5mm, 100deg, cycloidal), dwell(30.5deg), fall(5mm, 120deg, cycloidal), dwell(«120deg»)], periodic);" => "a periodic program fills one turn, and these segments fill 370.5°, 10.5° more";
     item segments_that_end_higher: "output b = segments(crank.angle, 40mm, [rise(5mm, 90deg, cycloidal), dwell(30deg), fall(«4.8mm», 120deg, cycloidal), dwell(120deg)], periodic);" => "a periodic program ends at the height at which it begins, this one 0.2 mm above it";
     item segments_that_end_lower: "output b = segments(crank.angle, 40mm, [rise(5mm, 90deg, cycloidal), dwell(30deg), fall(«7mm», 120deg, cycloidal), dwell(120deg)], periodic);" => "a periodic program ends at the height at which it begins, this one 2 mm below it";
@@ -99,6 +99,9 @@ crate::refusals! {
     item segments_with_a_jump_between_turns: "output b = segments(crank.angle, 40mm, [«rise»(2.5mm, 90deg, half_cycloidal_end), fall(2.5mm, 270deg, cycloidal)], periodic);" => "the velocity jumps at 0°: `cycloidal` ends with 0 mm per degree and `half_cycloidal_end` begins with 0.05556 mm per degree\nhelp: `half_cycloidal_start` goes from rest to a constant velocity, `half_cycloidal_end` back to rest";
     item modified_trapezoidal_is_a_function: "output b = «modified_trapezoidal» + 1;" => "expected a number or a vector, found a function\nhelp: give it its argument, as in `f(x)`";
     mechanism a_length_in_millimetres_without_unit: "mechanism M { ground { point C = (400mm, 0mm); } body crank { point A = (100mm, 0mm); } body coupler { point B = (350, 0); } body rocker { point B = (300mm, 0mm); start angle = 70deg; } joint o = revolute(ground.position, crank.position); joint a = revolute(crank.A, coupler.position); joint b = revolute(coupler.B, rocker.B); joint «c» = revolute(rocker.position, ground.C); drive d = drive_angle(crank, 60rpm * t); }" => "`c` stays open by 349400 mm when `o`, `a` and `b` are closed\nnote: `crank` (100 mm) + `ground` (400 mm) + `rocker` (300 mm) is 349200 mm short of `coupler` (350000 mm)\nhelp: change a length or a place: no value of `d` helps\nnote: `350` has no unit: it is 350 m, where no other length exceeds 400 mm\nhelp: write `350mm`, or `350m` if it is meant";
+    item drive_of_a_hinge: "drive b = drive_angle(«hinge», 2rad);" => "`b` of `drive_angle` takes a body, found a `revolute` joint\nhelp: write `crank`";
+    item angle_of_a_slide: "drive b = drive_angle(«slide», 2rad);" => "`b` of `drive_angle` takes a body, found a `translational` joint\nhelp: write `drive_along(slide, law)`";
+    item angle_for_a_body: "drive b = drive_angle(«crank.angle», 2rad);" => "`b` of `drive_angle` takes a body, found a number\nhelp: write `crank`";
 }
 
 /// Numbers with more digits than can be stored exactly keep their significant digits.

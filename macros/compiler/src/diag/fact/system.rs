@@ -99,6 +99,7 @@ pub enum SystemFact {
         equations: [usize; 2],
         coordinates: Vec<String>,
         free: Vec<String>,
+        neglected: Option<Box<Neglected>>,
     },
     DrivesContend {
         drives: Vec<String>,
@@ -199,6 +200,17 @@ pub struct Forgotten {
     pub line: Option<String>,
     /// Coordinates that this joint would hold.
     pub holds: Vec<String>,
+}
+
+/// A point in no joint, of a body or of ground of which another point is in several.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Neglected {
+    /// The point, as `coupler.B`.
+    pub point: String,
+    /// The other one.
+    pub taken: String,
+    /// The joints of the other one.
+    pub joints: Vec<String>,
 }
 
 /// Numbers of coordinates, equations and drives.

@@ -1,7 +1,7 @@
 //! Messages about arguments.
 
 use super::words::{did_you_mean, listed, plural, range_of};
-use crate::diag::ArityFact;
+use crate::diag::{ArityFact, Kind, remedy};
 use std::fmt::{Display, Formatter, Result};
 
 impl Display for ArityFact {
@@ -14,7 +14,12 @@ impl Display for ArityFact {
                 let missing_ones = listed(missing.iter().map(String::as_str));
                 let verb = if missing.len() == 1 { "is" } else { "are" };
                 write!(f, "`{definition}` takes {}, found {found}: {missing_ones} {verb} missing", range_of(takes, "argument"))?;
-                if *is_of_joint && missing.len() == 1 {
+                if definition == "constant_force" {
+                    write!(f, "\nhelp: a force with given components is written `force name = {{ at P: (0N, -5N); }}`")?;
+                }
+                if let (true, Some(turning)) = (*is_of_joint, remedy::about_an_axis(definition, &Kind::Axis)) {
+                    write!(f, "\nhelp: about a hinge acts `{turning}` instead")?;
+                } else if *is_of_joint && missing.len() == 1 {
                     let ends = if signature.contains("Axis") { "axes" } else { "bodies" };
                     write!(f, "\nhelp: for a joint, write its two {ends} instead of its name")?;
                 }
@@ -47,9 +52,15 @@ impl Display for ArityFact {
                 write!(f, "`{name}` takes {}, found {found}", plural(*wanted, "argument"))?;
                 match (wanted, name.as_str()) {
                     (2, "atan2") => write!(f, "\nnote: `atan2(y, x)`"),
+                    (3, "rise" | "fall") => write!(f, "\nnote: `{name}(height, duration, law)`, with a law such as `cycloidal`"),
+                    (1, "dwell") => write!(f, "\nnote: `dwell(duration)`"),
                     (2, _) => write!(f, "\nnote: `{name}(a, b)`"),
                     _ => Ok(()),
                 }
+            }
+            ArityFact::LawArity { name, found } => {
+                write!(f, "`{name}` takes 1 argument, found {found}")?;
+                write!(f, "\nhelp: a law leads from 0 to 1 as its argument does: write `height * {name}(x / duration)`")
             }
             ArityFact::FunctionOrder { name, call } => write!(f, "`{name}` takes its axis first\nhelp: write `{call}`"),
             ArityFact::OtherOrder { name, instead, signature } => {

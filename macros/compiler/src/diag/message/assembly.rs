@@ -1,6 +1,6 @@
 //! Messages about the assembly at the declared defaults.
 
-use super::words::{equation, list};
+use super::words::{equation, list, meant};
 use crate::diag::{AssemblyFact, Bound, Driven, Gap};
 use crate::quantity::{Dim, Role};
 use std::fmt::{Display, Formatter, Result};
@@ -40,7 +40,7 @@ impl Display for AssemblyFact {
                 write!(f, "{} of `{joint}` has no finite first and second derivative by time at t = 0", equation(*row, *of))?;
                 write!(f, "\nhelp: a root of what vanishes there has none: take a law that begins smoothly")
             }
-            AssemblyFact::SingularStart { bodies, in_line, drives, has_others } => {
+            AssemblyFact::SingularStart { neglected, bodies, in_line, drives, has_others } => {
                 let (is, verb) = if bodies.len() == 1 { ("is", "stands") } else { ("are", "stand") };
                 if *in_line {
                     write!(f, "the start is singular: {} {is} in line at t = 0", list(bodies))?;
@@ -48,6 +48,7 @@ impl Display for AssemblyFact {
                     write!(f, "the start is singular: {} {verb} at a dead point at t = 0", list(bodies))?;
                 }
                 write!(f, "\nnote: two assemblies meet there, and how fast {} {is} moving is not determined", list(bodies))?;
+                meant(f, neglected)?;
                 let elsewhere = if *has_others { "declare a `start` that leads to another assembly, or " } else { "" };
                 match drives.as_slice() {
                     [] => write!(f, "\nhelp: {elsewhere}change a length or a place"),

@@ -30,6 +30,9 @@ const ITEMS: [&str; 19] = [
 /// Items of a body.
 const BODY_ITEMS: [&str; 6] = ["point", "axis", "start", "mass", "center", "inertia"];
 
+/// Values of bodies and joints.
+const PROPERTIES: [&str; 8] = ["x", "y", "z", "angle", "position", "orientation", "angular_velocity", "displacement"];
+
 impl Display for GrammarFact {
     fn fmt(&self, f: &mut Formatter) -> Result {
         match self {
@@ -56,6 +59,25 @@ impl Display for GrammarFact {
                     ("an expression", "`.`") => write!(f, "\nhelp: a number begins with a digit, such as `0.5`"),
                     ("the name of the joint", "`=`") => write!(f, "\nhelp: write `joint name = …`"),
                     ("the name of the drive", "`=`") => write!(f, "\nhelp: write `drive name = …`"),
+                    ("`(` and the arguments", "`{`") => write!(f, "\nhelp: arguments stand in parentheses"),
+                    ("`=`", "`{`") => write!(f, "\nhelp: write `=` between the name and the braces"),
+                    ("`=`", "`(`") => write!(f, "\nhelp: a value stands behind `=`, as in `name = (…);`"),
+                    ("the name of the energy", "`=`") => write!(f, "\nhelp: write `energy name = …`"),
+                    ("the name of the force", "`=`") => write!(f, "\nhelp: write `force name = …`"),
+                    ("the name of the freedom", "`=`") => write!(f, "\nhelp: write `freedom name = …`"),
+                    ("a value of a joint, such as `hinge.angle`", "`{`") => {
+                        write!(
+                            f,
+                            "\nhelp: a body has its `start angle = …;` inside its own braces; that of a joint is `start hinge.angle = …;`"
+                        )
+                    }
+                    ("`(argument: Dimension)`", _) => {
+                        write!(f, "\nhelp: write `function name(x: Angle) -> Length = …;`; what has no argument is a `let`")
+                    }
+                    ("`jerk` after `with`", _) => {
+                        write!(f, "\nhelp: an output has its rate and its acceleration already: write it without `with`")
+                    }
+                    ("`{ value }`", "`then`") => write!(f, "\nhelp: write `if a < b {{ x }} else {{ y }}`"),
                     ("`=`", "`:`") => {
                         write!(f, "\nhelp: a value stands behind `=`; only parameters and inputs have `:` and a dimension before it")
                     }
@@ -64,6 +86,9 @@ impl Display for GrammarFact {
                     }
                     ("`:` and a dimension such as `Length`", "`=`") => {
                         write!(f, "\nhelp: write the dimension behind the name, as in `name: Length = …;`")
+                    }
+                    ("`:` and a dimension such as `Length`", "`;`") => {
+                        write!(f, "\nhelp: write the dimension behind the name, as in `name: Angle`")
                     }
                     ("`=` and the default of the parameter", _) => {
                         write!(f, "\nhelp: each parameter has a default, as in `param name: Length = 50mm;`")
@@ -167,6 +192,9 @@ impl Display for GrammarFact {
                     "a choice has one condition\nhelp: choose twice, as in `if a < b {{ if c < d {{ x }} else {{ y }} }} else {{ y }}`"
                 )
             }
+            GrammarFact::ForceBeforePlace { name, clause } => {
+                write!(f, "a force stands behind its point, a torque behind its body\nhelp: write `force {name} = {{ {clause}; }}`")
+            }
             GrammarFact::ComparisonOutside => {
                 write!(f, "a comparison is no value\nhelp: write `if a < b {{ x }} else {{ y }}` for a choice")
             }
@@ -217,6 +245,9 @@ impl Display for GrammarFact {
             }
             GrammarFact::DoubleStar => write!(f, "`**` is no operator\nhelp: a power is written `a^b`"),
             GrammarFact::MethodCall { name } if is_power(name) => write!(f, "there are no methods here\nhelp: a power is written `a^b`"),
+            GrammarFact::MethodCall { name } if PROPERTIES.contains(&name.as_str()) => {
+                write!(f, "`{name}` is a value, not a method\nhelp: write `.{name}`, without parentheses; it is that of the state at t")
+            }
             GrammarFact::MethodCall { name } => write!(f, "there are no methods here\nhelp: write `{name}(value)` for `value.{name}()`"),
             GrammarFact::SpaceBeforeUnit { number, suffix, unit } => {
                 if crate::quantity::unit(&format!("{suffix}{unit}")).is_some() {

@@ -34,6 +34,12 @@ impl Display for NameFact {
             NameFact::UnknownName { name, near: None, .. } if name == "z" => {
                 write!(f, "nothing is called `z` here\nhelp: write `(0, 0, 1)` for the direction of z")
             }
+            NameFact::UnknownName { name, .. } if name == "loads" => {
+                write!(
+                    f,
+                    "nothing is called `loads` here\nnote: loads are computed for a state, in Rust\nhelp: write `mechanism.loads(&state)` there"
+                )
+            }
             NameFact::UnknownName { name, near, is_of_definition } => {
                 write!(f, "nothing is called `{name}` here{}", did_you_mean(near))?;
                 match usual_dimension(name).filter(|_| near.is_none()) {
@@ -43,6 +49,9 @@ impl Display for NameFact {
             }
             NameFact::UnknownField { owner, name, .. } if is_rate(name) => {
                 write!(f, "{owner} has no `{name}`\nhelp: write `rate(…)` of a point or of a number, as in `rate(body.position)`")
+            }
+            NameFact::UnknownField { owner, name, near: None, .. } if is_acceleration(name) => {
+                write!(f, "{owner} has no `{name}`\nhelp: an output is given with its rate and its acceleration: write the value alone")
             }
             NameFact::UnknownField { owner, name, near: None, .. } if is_load(name) => {
                 write!(f, "{owner} has no `{name}`\nnote: loads are computed for a state, in Rust")?;

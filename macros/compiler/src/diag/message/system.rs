@@ -1,7 +1,7 @@
 //! Messages about the mechanism as a whole: its mobility, and redundant or contradictory joints.
 
 use super::degrees;
-use super::words::{are, bodies, counted, drives_there_are, first_of, list, numbers, one_of, plural, rounded};
+use super::words::{are, bodies, counted, drives_there_are, first_of, list, meant, numbers, one_of, plural, rounded};
 use crate::diag::{Count, Demand, Forgotten, NoPosition, SystemFact};
 use std::fmt::{Display, Formatter, Result};
 
@@ -172,7 +172,7 @@ impl Display for SystemFact {
                     None => Ok(()),
                 }
             }
-            SystemFact::NothingToDrive { drive, joints, equations: [equations, of], coordinates, free } => {
+            SystemFact::NothingToDrive { drive, joints, equations: [equations, of], coordinates, free, neglected } => {
                 write!(f, "`{drive}` has nothing to drive: ")?;
                 match coordinates.as_slice() {
                     [] => write!(f, "{} {} already what it would move", list(joints), if joints.len() == 1 { "holds" } else { "hold" })?,
@@ -186,6 +186,7 @@ impl Display for SystemFact {
                         }
                     }
                 }
+                meant(f, neglected)?;
                 if free.is_empty() {
                     return write!(f, "\nhelp: take `{drive}` or a joint away");
                 }
@@ -382,9 +383,10 @@ fn freedoms_missing(f: &mut Formatter, name: &str, [missing, declared]: [usize; 
 fn nonholonomic(f: &mut Formatter, joint: &str, [row, of]: [usize; 2], obstacle: NoPosition) -> Result {
     let which = if of == 1 { "the equation".to_owned() } else { format!("equation {row} of {of}") };
     match obstacle {
-        NoPosition::Factors => {
-            write!(f, "{which} of `{joint}` relates velocities by factors that change, and no position follows from it")?
-        }
+        NoPosition::Factors => write!(
+            f,
+            "{which} of `{joint}` relates velocities by factors that change, and the compiler finds no equation between positions with this rate"
+        )?,
         NoPosition::Side => write!(f, "{which} of `{joint}` sets velocities to a value that changes, and no position follows from it")?,
         NoPosition::Kept => write!(f, "`#[velocity]` keeps {which} of `{joint}` as it is, and no position follows from it")?,
     }

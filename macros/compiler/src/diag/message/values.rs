@@ -15,6 +15,9 @@ impl Display for ValueFact {
             }
             ValueFact::WrongArgument { parameter, definition, wanted, found, ambient, instead } => {
                 write!(f, "`{parameter}` of `{definition}` takes {wanted}, found {found}")?;
+                if let Some(drive) = remedy::of_drive(definition, found) {
+                    return write!(f, "\nhelp: write `{drive}`");
+                }
                 match (instead, remedy::about_an_axis(definition, found)) {
                     (Some(instead), _) => {
                         write!(f, "\nhelp: write `{instead}`")?;
@@ -33,6 +36,15 @@ impl Display for ValueFact {
                         _ => write!(f, "{}", remedy::of_kind(wanted, found, *ambient)),
                     },
                 }
+            }
+            ValueFact::CoordinateForAxis { parameter, definition, body, name } => {
+                write!(f, "`{parameter}` of `{definition}` takes an axis, and `{body}.{name}` is a coordinate")?;
+                let along = match name.as_str() {
+                    "x" => "(1, 0, 0)",
+                    "y" => "(0, 1, 0)",
+                    _ => "(0, 0, 1)",
+                };
+                write!(f, "\nhelp: declare `axis {name} = {along};` in `{body}`: then `{body}.{name}` is this axis")
             }
             ValueFact::WrongArgumentDimension { parameter, definition, wanted, found } => {
                 write!(f, "`{parameter}` of `{definition}` is {wanted}, found {found}")?;
@@ -215,7 +227,8 @@ impl Display for ValueFact {
             ValueFact::SegmentsMissTurn { found } => {
                 let side = if *found > TAU { "more" } else { "less" };
                 let [sum, off] = [*found, (found - TAU).abs()].map(|angle| about(angle, Dim::ANGLE));
-                write!(f, "a periodic program fills one turn, and these segments fill {sum}, {off} {side}")
+                write!(f, "a periodic program fills one turn, and these segments fill {sum}, {off} {side}")?;
+                if *found < TAU { write!(f, "\nhelp: add `dwell({}deg)`", sixth_decimal((TAU - found).to_degrees())) } else { Ok(()) }
             }
             ValueFact::SegmentsDoNotReturn { off, dim } => {
                 let side = if *off > 0.0 { "above" } else { "below" };

@@ -1,5 +1,8 @@
 //! Formats lists, numbers and the like.
 
+use crate::diag::Neglected;
+use std::fmt::{Formatter, Result};
+
 /// The kind of a definition, and the item that declares one.
 pub(super) fn declared(is_force: bool) -> [&'static str; 2] {
     if is_force { ["force", "force"] } else { ["constraint", "joint"] }
@@ -98,6 +101,13 @@ pub(super) fn bodies(coordinates: &[String]) -> Vec<String> {
     let mut bodies: Vec<String> = coordinates.iter().filter_map(|name| name.rsplit_once('.')).map(|(body, _)| body.to_owned()).collect();
     bodies.dedup();
     bodies
+}
+
+/// The point that may be meant in the place of another.
+pub(super) fn meant(f: &mut Formatter, neglected: &Option<Box<Neglected>>) -> Result {
+    let Some(neglected) = neglected else { return Ok(()) };
+    let Neglected { point, taken, joints } = &**neglected;
+    write!(f, "\nhelp: `{taken}` is a point of {}, and `{point}` one of no joint: write `{point}` where it is meant", list(joints))
 }
 
 /// `that`, or `one of them`
