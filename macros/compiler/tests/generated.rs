@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 use syn::{ImplItem, Item, Type};
 
 /// A crank whose drive and attributes are given.
@@ -89,4 +89,47 @@ fn no_output_has_the_name_of_a_generated_function() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
+}
+
+/// The page of a function shows a link to its source: it leads to the line of the item that declares it, if the function's first and last token
+/// lie there.
+#[test]
+fn functions_lie_where_their_items_are_declared() {
+    let declaration = "#[points] mechanism Crank {
+        param length: Length = 100mm;
+        body crank {
+            mass = 1kg; inertia = disk(50mm); center = (50mm, 0mm);
+            point A = (length, 0mm);
+        }
+        joint axle = revolute(ground.position, crank.position);
+        drive motor = drive_angle(crank, 60rpm * t);
+        output tip = crank.A;
+        slice output height = crank.A.y;
+    }";
+    let tokens: TokenStream = declaration.parse().expect("tokens");
+    let mut found = Vec::new();
+    ends_of_functions(reuleaux_compiler::mechanism(tokens), &mut found);
+    let wanted = [("crank", 3), ("crank_A", 5), ("axle", 7), ("motor", 8), ("tip", 9), ("height", 10), ("solve_for_height", 10)];
+    for (name, line) in wanted {
+        let ends = found.iter().find(|(function, ..)| function == name).map(|(_, first, last)| [*first, *last]);
+        assert_eq!(ends, Some([line; 2]), "{name}");
+    }
+}
+
+/// The names of all public functions, with the lines of their first and of their last token.
+fn ends_of_functions(tokens: TokenStream, found: &mut Vec<(String, usize, usize)>) {
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    for (place, token) in tokens.iter().enumerate() {
+        if let TokenTree::Group(group) = token {
+            ends_of_functions(group.stream(), found);
+        }
+        let is = |at: usize, word: &str| matches!(tokens.get(at), Some(TokenTree::Ident(found)) if found == word);
+        let (true, true, Some(TokenTree::Ident(name))) = (is(place, "pub"), is(place + 1, "fn"), tokens.get(place + 2)) else { continue };
+        let body = tokens[place..].iter().find_map(|token| match token {
+            TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => Some(group),
+            _ => None,
+        });
+        let line = |span: Span| span.start().line;
+        found.extend(body.map(|body| (name.to_string(), line(token.span()), line(body.span_close()))));
+    }
 }

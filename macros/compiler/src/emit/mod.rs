@@ -41,7 +41,7 @@ use crate::travel::Motion;
 use functions::Emitter;
 use literal::{number, real, signed, vector_type};
 use parameters::{Parameters, over};
-use proc_macro2::{Ident, Literal, Span, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 use state::Accessors;
 
@@ -74,10 +74,11 @@ pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: 
     let warnings = of_motion.chain(&motion.undercut).chain(&model.doubts).map(Warning::to_tokens);
     let state = (model.task.is_determined() || !model.outputs.is_empty()).then(|| state(model, system));
     let (drawable, listing, points, dynamics) = (emitter.drawable(), emitter.listing(), emitter.points(), emitter.dynamics());
-    let (name, allowed, loads) = (&model.name, allowed(), emitter.loads());
+    let (name, allowed, open, loads) = (&model.name, allowed(), open(), emitter.loads());
     quote! {
         #default
         #allowed
+        #open
         impl<T: ::reuleaux::Real> #name<T> {
             #with_defaults
             #constants
@@ -109,6 +110,23 @@ pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: 
 /// Lints that do not apply to generated code.
 pub(super) fn allowed() -> TokenStream {
     quote!(#[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused)])
+}
+
+/// A function at the place of a word of the declaration, where the link to its source leads on its page: an item reaches from its first token to
+/// its last one. So rustc takes its `pub` for the user's: see [`open`].
+pub(super) fn placed(at: Span, function: TokenStream) -> TokenStream {
+    let mut tokens: Vec<TokenTree> = function.into_iter().collect();
+    for end in [0, tokens.len().saturating_sub(1)] {
+        if let Some(token) = tokens.get_mut(end) {
+            token.set_span(at);
+        }
+    }
+    tokens.into_iter().collect()
+}
+
+/// For blocks with functions at places of the declaration: the mechanism may be private.
+pub(super) fn open() -> TokenStream {
+    quote!(#[allow(unreachable_pub)])
 }
 
 fn structure(model: &Model, page: &str) -> TokenStream {
@@ -378,7 +396,7 @@ fn state(model: &Model, system: &System) -> TokenStream {
     let inputs_name = model.holds_inputs().then(|| inputs::type_name(name));
     let others = failure_name.iter().chain(&inputs_name);
     let names = if model.has_stub { quote!({ #own_name #(, #others)* }) } else { quote!(*) };
-    let (allowed, serial) = (allowed(), serial::derived(model.requests.serde.as_ref(), None));
+    let (allowed, open, serial) = (allowed(), open(), serial::derived(model.requests.serde.as_ref(), None));
     let inputs = model.holds_inputs().then(|| {
         let (kind, page) = (inputs::type_name(name), docs::line("The inputs that it was solved for."));
         quote!(, #page pub #kind<T>)
@@ -397,6 +415,7 @@ fn state(model: &Model, system: &System) -> TokenStream {
         #[allow(unused_imports, unreachable_pub)]
         #visibility use #module::#names;
         #allowed
+        #open
         impl<T: ::reuleaux::Real> #state<T> { #own }
         impl<T> ::core::ops::Deref for #state<T> {
             type Target = ::reuleaux::State<T, #n>;

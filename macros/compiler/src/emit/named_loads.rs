@@ -4,7 +4,7 @@ use super::functions::Emitter;
 use super::literal::number;
 use super::loads::{are_steady, motion};
 use super::routine::{RoutinePrinter, fast_lines};
-use super::{docs, identifier, state_path};
+use super::{docs, identifier, placed, state_path};
 use crate::plan::{LoadKind, LoadsCode, NamedLoad};
 use crate::quantity::Ambient;
 use proc_macro2::{Ident, Span, TokenStream};
@@ -23,11 +23,8 @@ impl Emitter<'_> {
         let method = |load: &NamedLoad| {
             let Reading { page, kind, call } = self.reading(load, load.multipliers.start, load.actions.start);
             let (page, name) = (docs::line(&page), identifier(&load.name.local));
-            quote! {
-                #page
-                #[must_use]
-                pub fn #name(&self) -> #kind { self.loads.#call }
-            }
+            let function = placed(load.name.word.span(), quote!(pub fn #name(&self) -> #kind { self.loads.#call }));
+            quote!(#page #[must_use] #function)
         };
         code.named.iter().map(method).collect()
     }
@@ -73,11 +70,8 @@ impl Emitter<'_> {
             }
             None => quote!(self.loads(state).#own()),
         };
-        quote! {
-            #page
-            #[must_use]
-            pub fn #name(&self, state: &#state<T>) -> #kind { #body }
-        }
+        let function = placed(load.name.word.span(), quote!(pub fn #name(&self, state: &#state<T>) -> #kind { #body }));
+        quote!(#page #[must_use] #function)
     }
 
     /// How a load is read where its multipliers and its actions begin at these places.

@@ -8,7 +8,7 @@ use super::literal::number;
 use super::routine::{RoutinePrinter, lines_of_state, lines_of_state_at};
 use super::slices::plain;
 use super::state::body_view;
-use super::{docs, docs_or, state_path};
+use super::{docs, docs_or, placed, state_path};
 use crate::model::{Method, Output};
 use crate::plan::{OutputCode, Outputs, Routine, Shape, Words};
 use proc_macro2::{Ident, Span, TokenStream};
@@ -48,23 +48,23 @@ impl Emitter<'_> {
         let kind = array_type(kind, &method.sizes);
         if let Some(slice) = slice {
             let (in_whole, slice) = (in_whole(slice), number(slice));
+            let function = quote! {
+                pub fn #name<S: ::reuleaux::HasOutput<Self, #slice, Value = #kind>>(&self, state: &S) -> #kind {
+                    ::reuleaux::HasOutput::output_of(state, self)
+                }
+            };
+            let function = placed(name.span(), function);
             return quote! {
                 #docs
                 #alone
                 #[must_use]
-                pub fn #name<S: ::reuleaux::HasOutput<Self, #slice, Value = #kind>>(&self, state: &S) -> #kind {
-                    ::reuleaux::HasOutput::output_of(state, self)
-                }
+                #function
                 #[doc(hidden)]
                 fn #in_whole(&self, state: &#state<T>) -> #kind { #body }
             };
         }
-        quote! {
-            #docs
-            #alone
-            #[must_use]
-            pub fn #name(&self, state: &#state<T>) -> #kind { #body }
-        }
+        let function = placed(name.span(), quote!(pub fn #name(&self, state: &#state<T>) -> #kind { #body }));
+        quote!(#docs #alone #[must_use] #function)
     }
 
     /// What the method of an output returns.

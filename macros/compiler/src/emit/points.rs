@@ -3,7 +3,7 @@
 use super::functions::Emitter;
 use super::literal::number;
 use super::routine::{RoutinePrinter, lines};
-use super::{allowed, docs, state_path};
+use super::{allowed, docs, open, placed, state_path};
 use crate::model::sketch::NamedPoint;
 use crate::plan::Routine;
 use proc_macro2::{Ident, Span, TokenStream};
@@ -16,7 +16,8 @@ pub(crate) fn type_name(mechanism: &Ident) -> Ident {
 
 /// The struct, and the function that returns it.
 pub(crate) fn structure(name: &Ident, visibility: &TokenStream, state: &TokenStream, methods: &TokenStream) -> TokenStream {
-    let (points, page, allowed) = (type_name(name), format!("The points and axes of a [`{name}`] in a state."), allowed());
+    let (points, page) = (type_name(name), format!("The points and axes of a [`{name}`] in a state."));
+    let (allowed, open) = (allowed(), open());
     let page = docs::line(&page);
     quote! {
         #page
@@ -33,6 +34,7 @@ pub(crate) fn structure(name: &Ident, visibility: &TokenStream, state: &TokenStr
             pub fn points<'a>(&'a self, state: &'a #state<T>) -> #points<'a, T> { #points { mechanism: self, state } }
         }
         #allowed
+        #open
         impl<T: ::reuleaux::Real> #points<'_, T> { #methods }
     }
 }
@@ -76,10 +78,7 @@ impl Emitter<'_> {
                 quote!(self.state.spatial_body(#place, #orientation).#method(#local))
             }
         };
-        quote! {
-            #page
-            #[must_use]
-            pub fn #name(&self) -> ::reuleaux::Motion<#vector<T>> { #steps #motion }
-        }
+        let function = placed(mark.span, quote!(pub fn #name(&self) -> ::reuleaux::Motion<#vector<T>> { #steps #motion }));
+        quote!(#page #[must_use] #function)
     }
 }

@@ -7,7 +7,7 @@ use super::listing::output_name;
 use super::literal::{number, vector_type};
 use super::outputs::in_whole;
 use super::stages::{StateLayout, results, stages_of};
-use super::{allowed, docs, plan_constant, state_path};
+use super::{allowed, docs, placed, plan_constant, state_path};
 use crate::model::Method;
 use crate::plan::{Slice, Solving};
 use crate::system::COSINES;
@@ -28,11 +28,8 @@ impl Emitter<'_> {
         let page = docs::line(&format!(
             "The mechanism for the output `{word}` alone: whatever is not upstream of it is not solved, nor compiled."
         ));
-        quote! {
-            #page
-            #[must_use]
-            pub fn #solve_for(&self) -> #name<T> { ::reuleaux::Slice::of(*self) }
-        }
+        let function = placed(method.name.span(), quote!(pub fn #solve_for(&self) -> #name<T> { ::reuleaux::Slice::of(*self) }));
+        quote!(#page #[must_use] #function)
     }
 
     fn slice(&self, number_of_slice: usize, method: &Method, slice: &Slice) -> TokenStream {

@@ -3,7 +3,7 @@
 use super::arrays::{array_at, array_type};
 use super::literal::number;
 use super::parameters::{apart, holders};
-use super::{allowed, docs, docs_or, state_name};
+use super::{allowed, docs, docs_or, open, placed, state_name};
 use crate::model::{Field, Layout, Of, Part};
 use crate::quantity::Ambient;
 use crate::system::COSINES;
@@ -65,7 +65,7 @@ impl<'a> Accessors<'a> {
         let view = |component: usize| {
             let (view, declared) = (self.view(component), &self.layout.components[component]);
             let page = format!("A `{}` in a [`{state}`].", declared.name.as_ref().map(Ident::to_string).unwrap_or_default());
-            let (page, allowed, n) = (docs::line(&page), allowed(), number(n));
+            let (page, allowed, open, n) = (docs::line(&page), allowed(), open(), number(n));
             let accessors = self.of(
                 component,
                 |place| self.view_of(quote!(self.state), quote!(self.first + #place)),
@@ -82,6 +82,7 @@ impl<'a> Accessors<'a> {
                     first: ::core::primitive::usize,
                 }
                 #allowed
+                #open
                 impl<'a, T: ::reuleaux::Real> #view<'a, T> { #accessors }
             }
         };
@@ -117,11 +118,8 @@ impl<'a> Accessors<'a> {
                 _ => return quote!(),
             };
             let (docs, kind, value) = (docs_or(&field.docs, &known), array_type(kind, &field.sizes), self.body.unwrap_or(&value));
-            quote! {
-                #docs
-                #[must_use]
-                pub fn #name(&self) -> #kind { #value }
-            }
+            let function = placed(name.span(), quote!(pub fn #name(&self) -> #kind { #value }));
+            quote!(#docs #[must_use] #function)
         };
         self.layout.components[component].fields.iter().enumerate().map(accessor).collect()
     }

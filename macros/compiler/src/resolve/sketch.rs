@@ -24,7 +24,8 @@ impl Elaborator<'_> {
         let outputs = register.outputs.iter().filter_map(|(id, output)| {
             let value = self.resolved(*id, output, |this, _, context| this.value(&output.value, &Scope::of(context)))?;
             let Value::Point(point) = value else { return None };
-            Some(NamedPoint { name: self.names.declared[id.0].name.to_string(), at: local(point) })
+            let name = &self.names.declared[id.0].name;
+            Some(NamedPoint { name: name.to_string(), span: name.word.span(), at: local(point) })
         });
         let outputs = outputs.collect();
         let rates = self.rates(&joints, register);
@@ -53,9 +54,9 @@ impl Elaborator<'_> {
     fn sketched_mark(&mut self, mark: EntityId, is_axis: bool) -> Option<NamedPoint> {
         let declared = &self.names.declared[mark.0];
         let Entity::Mark(..) = declared.entity else { return None };
-        let (name, range) = (declared.name.own(), Range::from(&declared.name));
+        let (name, span, range) = (declared.name.own(), declared.name.word.span(), Range::from(&declared.name));
         let ((Value::Point(at), false) | (Value::Axis(at), true)) = (self.entity(mark, range)?, is_axis) else { return None };
-        Some(NamedPoint { name, at: local(at) })
+        Some(NamedPoint { name, span, at: local(at) })
     }
 
     fn sketched_joint(&mut self, joint: EntityId, kind: &str) -> Instantiation {

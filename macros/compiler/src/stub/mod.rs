@@ -198,7 +198,7 @@ fn accessors(tree: &Mechanism, layout: &Layout, visibility: &TokenStream, n: usi
     let accessors = Accessors::new(layout, &tree.name, visibility, Some(body)).in_space((tree.ambient == Ambient::Space).then_some(0));
     let (own, views) = (accessors.of_mechanism(), accessors.views(n));
     quote! {
-        #[allow(missing_docs, dead_code, clippy::all)]
+        #[allow(missing_docs, dead_code, unreachable_pub, clippy::all)]
         impl<T: ::reuleaux::Real> #state<T> { #own }
         #views
     }
