@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 
 use indicatif::ProgressBar;
 use reuleaux::mechanism;
-use reuleaux::parallel::sweeps;
+use reuleaux::parallel::each;
 use reuleaux_examples::steps;
 
 const CRANK: f64 = 0.05;
@@ -32,26 +32,19 @@ mechanism! {
     }
 }
 
-/// Index of the piston's coordinate x.
-const TRAVEL: usize = 6;
-
 fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
     let engines: Vec<Engine> = steps(0.16, 0.36, 200).map(|rod_length| Engine { rod_length }).collect();
     let times: Vec<f64> = steps(0.0, TAU / SPEED, 720).collect();
 
     let bar = ProgressBar::new(engines.len() as u64);
-    let peaks = sweeps(
-        &engines,
-        &times,
-        |engine| {
-            let mut peak: f64 = 0.0;
-            for state in engine {
-                peak = peak.max(state?.qdd[TRAVEL].abs());
-            }
-            Ok::<f64, Box<dyn Error + Send + Sync>>(peak)
-        },
-        |progress| bar.set_position(progress.done as u64),
-    );
+    let peak = |engine: &Engine| {
+        let mut peak: f64 = 0.0;
+        for state in engine.sweep(&times) {
+            peak = peak.max(state?.piston().acceleration.x.abs());
+        }
+        Ok::<f64, Box<dyn Error + Send + Sync>>(peak)
+    };
+    let peaks = each(&engines, peak, |progress| bar.set_position(progress.done as u64));
     bar.finish_and_clear();
 
     println!("rod (mm)   largest acceleration of the piston (m/s²)");

@@ -87,7 +87,7 @@
 //!   diagrams. `view-png`: frames as PNG.
 //! - `serde`: parameters, inputs and states of mechanisms declared with `#[serde]` can be read and written, and so can [`Motion`]; [`Plan`]
 //!   and [`Failure`] can be written.
-//! - `rayon`: sweeps of many mechanisms on all processors (`reuleaux::parallel`).
+//! - `rayon`: studies of many mechanisms on all processors (`reuleaux::parallel`).
 //!
 //! The crate `reuleaux-wide` advances several mechanisms together in the lanes of SIMD registers, `reuleaux-cam` computes cams from the motion of
 //! their followers.
@@ -152,26 +152,40 @@ pub use api::{
 };
 #[doc(hidden)]
 pub use dynamics::motion;
-pub use dynamics::{Balance, Constraints, Driven, Dynamics, Energy, Explicit, Integrator, Method, MotionSweep, Stiff, Stopped};
+pub use dynamics::{Driven, Dynamics, Energy, Explicit, Integrator, Method, MotionSweep, Stiff, Stopped};
 #[cfg(feature = "certify")]
 pub use enclosure::{Certificate, Doubt, Enclosure, ErrorBound};
 pub use explain::Failure;
 #[doc(hidden)]
 pub use linear::{AtIterate, Turning, third_derivatives, zeros};
-pub use linear::{Eliminated, Elimination, Entries, FactorReal, Factors, Linear, Order, Small, Sparse};
 pub use nalgebra;
 pub use names::{
     BranchEnd, Cause, Coordinate, CoordinateEntries, CoordinateKind, Culprit, Description, Operations, ParameterOutOfRange, Plan,
     PlanStage, Row,
 };
-pub use newton::{Block, Iterate, Solved, SolvedInPlace, StepError};
-pub use number::{DetSign, Ends, Float, Mask, Real, Scalar, SimdReal, Single, Table, Time, Times};
+pub use number::{Float, Real, Scalar, SimdReal, Time, Times};
 #[doc(hidden)]
 pub use path::step_in_part;
 #[doc(hidden)]
 pub use solve::{Commanded, later, parameter_hash};
-pub use solve::{Equations, Family, Solver, SolverReal, Stages, at_once, refined_guess_at_once, refined_guess_by_rows};
-pub use state::{Coordinates, HasState, Motion, MotionWithJerk, PlanarBody, SpatialBody, State, ValueAndRate, Values};
+pub use solve::{Equations, Family, SolverReal, Stages};
+pub use state::{HasState, Motion, MotionWithJerk, PlanarBody, SpatialBody, State, ValueAndRate};
+
+/// The parts of which generated code is made: linear systems of fixed size, Newton's method on one block, the stages of a solution, tables of laws.
+///
+/// A program that declares its mechanisms needs none of them. A mechanism that is written by hand implements [`Description`], [`Equations`] and
+/// [`Stages`], the last by [`at_once`].
+pub mod compiled {
+    pub use crate::dynamics::{Balance, Constraints};
+    pub use crate::linear::{Eliminated, Elimination, Entries, FactorReal, Factors, Linear, Order, Small, Sparse};
+    pub use crate::newton::{Block, Iterate, Solved, SolvedInPlace, StepError};
+    pub use crate::number::{DetSign, Ends, Mask, Single, Table};
+    pub use crate::solve::{Solver, at_once, refined_guess_at_once, refined_guess_by_rows};
+    pub use crate::state::{Coordinates, Values};
+}
+// Generated code names them by the crate alone.
+#[doc(hidden)]
+pub use compiled::*;
 
 /// Interface for crates with SIMD number types, such as `reuleaux-wide`; not part of the public API.
 #[doc(hidden)]

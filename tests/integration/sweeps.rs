@@ -1,8 +1,9 @@
-//! Parallel sweeps of many mechanisms.
+//! Many mechanisms in parallel.
 
 use std::sync::Mutex;
 
-use reuleaux::parallel::{Progress, sweeps};
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use reuleaux::parallel::{Progress, each};
 use reuleaux::{Cause, Failure, State};
 use reuleaux_tests::mechanisms::FourBarCrankRocker;
 
@@ -14,18 +15,18 @@ fn cranks() -> Vec<FourBarCrankRocker> {
     (0..40).map(|step| FourBarCrankRocker { crank_length: length(step), ..Default::default() }).collect()
 }
 
-fn last(sweep: impl Iterator<Item = Result<State<f64, 9>, Failure<f64, 9>>>) -> Ending {
-    sweep.last().expect("there are times").map_err(Box::new)
+fn last(crank: &FourBarCrankRocker) -> Ending {
+    let times = (0..300).map(|step| f64::from(step) / 100.0);
+    reuleaux::Mechanism::sweep(crank, times).last().expect("there are times").map_err(Box::new)
 }
 
 #[test]
 fn each_is_as_it_is_alone_and_in_its_place() {
-    let (cranks, times): (_, Vec<f64>) = (cranks(), (0..300).map(|step| f64::from(step) / 100.0).collect());
-    let told = Mutex::new(Vec::new());
-    let together = sweeps(&cranks, &times, |sweep| last(sweep), |Progress { done, of }| told.lock().unwrap().push((done, of)));
+    let (cranks, told) = (cranks(), Mutex::new(Vec::new()));
+    let together = each(&cranks, last, |Progress { done, of, .. }| told.lock().unwrap().push((done, of)));
 
     for (index, (crank, found)) in cranks.iter().zip(&together).enumerate() {
-        let alone = last(reuleaux::Mechanism::sweep(crank, times.iter().copied()));
+        let alone = last(crank);
         assert_eq!(found.is_ok(), index != 17);
         match (found, &alone) {
             (Ok(found), Ok(alone)) => assert_eq!(found, alone),
@@ -39,4 +40,15 @@ fn each_is_as_it_is_alone_and_in_its_place() {
     let mut told = told.into_inner().unwrap();
     told.sort_unstable();
     assert_eq!(told, (1..=40).map(|done| (done, 40)).collect::<Vec<_>>());
+}
+
+#[test]
+fn mechanisms_may_be_made_when_their_turn_comes() {
+    let made = (0..100_u32).into_par_iter().map(|step| 0.05 + 0.0001 * f64::from(step));
+    let made = made.map(|crank_length| FourBarCrankRocker { crank_length, ..Default::default() });
+    let found = each(made, |crank| crank.solve(0.3).map(|state| (crank.crank_length, state.rocker().angle)).ok(), |_| ());
+    for (step, found) in (0..100_u32).zip(found) {
+        let crank = FourBarCrankRocker { crank_length: 0.05 + 0.0001 * f64::from(step), ..Default::default() };
+        assert_eq!(found, crank.solve(0.3).ok().map(|state| (crank.crank_length, state.rocker().angle)));
+    }
 }

@@ -1,37 +1,34 @@
-//! Sweeps of many mechanisms on all processors (feature `rayon`).
+//! Studies of many mechanisms on all processors (feature `rayon`).
 //!
-//! In: parameter sets, times, and a function of each sweep. Out: its results, in the order of the parameter sets. Each sweep runs
-//! on one thread from beginning to end, so that its numbers are those of a sweep alone.
+//! In: parameter sets, and what is computed for each. Out: the results, in the order of the parameter sets. Each is computed on one thread from
+//! beginning to end, so that its numbers are those of it alone.
 
 use core::sync::atomic::{AtomicUsize, Ordering};
 use std::vec::Vec;
 
-use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
+use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 
-use super::{Mechanism, Sweep};
-use crate::number::Float;
-
-/// The number of completed sweeps.
+/// The number of completed mechanisms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Progress {
-    /// Completed sweeps, including this one.
+    /// Completed mechanisms, including this one.
     pub done: usize,
-    /// All sweeps.
+    /// All mechanisms.
     pub of: usize,
 }
 
-/// Sweeps each mechanism over the same times (s) and collects the results of `each`, in the order of `mechanisms`.
+/// Calls `study` for each mechanism and collects its results, in the order of `mechanisms`.
 ///
-/// * `each`: given, called once for each mechanism with its sweep, on any thread. Only its result is kept, so that a sweep of a million
-///   times may leave a single number.
-/// * `progress`: given, called after each sweep on the thread of that sweep, possibly several times at once; each value of `done` from 1
-///   to `of` occurs once. Between calls the threads share nothing, neither a lock nor a counter.
+/// * `mechanisms`: given, a list, or what rayon takes in its place: `(0..n).into_par_iter().map(…)` makes each mechanism when its turn comes.
+/// * `study`: given, called once for each mechanism, on any thread. Only its result is kept, so that a sweep of a million times may leave a single
+///   number.
+/// * `progress`: given, called after each mechanism on its thread, possibly several times at once; each value of `done` from 1 to `of` occurs once.
+///   Between calls the threads share nothing, neither a lock nor a counter.
 ///
 /// With `indicatif`, use `|progress| bar.set_position(progress.done as u64)`. Without it:
 ///
 /// ```
-/// use reuleaux::parallel::sweeps;
-///
 /// reuleaux::mechanism! {
 ///     /// A slider-crank.
 ///     mechanism Engine {
@@ -48,36 +45,30 @@ pub struct Progress {
 ///     }
 /// }
 ///
+/// /// The largest acceleration of the piston in a turn, or why there is none.
+/// fn peak(engine: &Engine) -> Result<f64, EngineFailure> {
+///     let accelerations = engine.sweep((0..600).map(|step| f64::from(step) / 500.0)).map(|state| Ok(state?.piston().acceleration.x));
+///     accelerations.try_fold(0.0_f64, |peak, next| next.map(|next: f64| peak.max(next.abs())))
+/// }
+///
 /// let engines: Vec<Engine> = (0..20).map(|step| Engine { rod_length: 0.1 + 0.01 * f64::from(step) }).collect();
-/// let times: Vec<f64> = (0..600).map(|step| f64::from(step) / 500.0).collect();
-/// let peaks = sweeps(
-///     &engines,
-///     &times,
-///     // The largest acceleration of the piston, or why there is none.
-///     |engine| engine.map(|state| Ok(state?.qdd[6].abs())).try_fold(0.0_f64, |peak, next| next.map(|next| peak.max(next))),
-///     |progress| assert!(progress.done <= progress.of),
-/// );
-/// let peaks: Vec<f64> = peaks.into_iter().collect::<Result<_, reuleaux::Failure<f64, 9>>>()?;
+/// let peaks = reuleaux::parallel::each(&engines, peak, |progress| assert!(progress.done <= progress.of));
+/// let peaks: Vec<f64> = peaks.into_iter().collect::<Result<_, _>>()?;
 /// // The longer the rod, the gentler the piston.
 /// assert!(peaks.windows(2).all(|pair| pair[0] > pair[1]));
-/// # Ok::<(), reuleaux::Failure<f64, 9>>(())
+/// # Ok::<(), EngineFailure>(())
 /// ```
-pub fn sweeps<M, T, R, const N: usize>(
-    mechanisms: &[M],
-    times: &[T],
-    each: impl Fn(Sweep<'_, M, core::iter::Copied<core::slice::Iter<'_, T>>, T, N>) -> R + Sync,
-    progress: impl Fn(Progress) + Sync,
-) -> Vec<R>
+pub fn each<P, R>(mechanisms: P, study: impl Fn(P::Item) -> R + Send + Sync, progress: impl Fn(Progress) + Send + Sync) -> Vec<R>
 where
-    M: Mechanism<T, N> + Sync,
-    T: Float + Sync,
+    P: IntoParallelIterator<Iter: IndexedParallelIterator>,
     R: Send,
 {
+    let mechanisms = mechanisms.into_par_iter();
     let (done, of) = (AtomicUsize::new(0), mechanisms.len());
-    let one = |mechanism: &M| {
-        let result = each(mechanism.sweep(times.iter().copied()));
+    let one = |mechanism: P::Item| {
+        let result = study(mechanism);
         progress(Progress { done: done.fetch_add(1, Ordering::Relaxed) + 1, of });
         result
     };
-    mechanisms.par_iter().with_max_len(1).map(one).collect()
+    mechanisms.with_max_len(1).map(one).collect()
 }

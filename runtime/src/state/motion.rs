@@ -142,6 +142,18 @@ impl<T: Real> From<T> for Motion<T> {
     }
 }
 
+impl<V> From<[V; 3]> for Motion<V> {
+    /// A quantity by its value, its rate and its acceleration.
+    ///
+    /// ```
+    /// let theta: reuleaux::Motion<f64> = [0.1, 5.0, 0.0].into();
+    /// assert_eq!(theta, reuleaux::Motion::moving(0.1, 5.0));
+    /// ```
+    fn from([value, rate, acceleration]: [V; 3]) -> Self {
+        Self { value, rate, acceleration }
+    }
+}
+
 /// The motion of a planar body: of its frame's origin and of its angle, in ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
