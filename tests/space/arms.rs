@@ -75,6 +75,7 @@ fn a_step_of_newtons_method_has_one_arm_for_each_body() {
         let operations = |stage: &PlanStage| match stage {
             PlanStage::Iterated { unknowns, operations, .. } => Some(format!("{} unknowns, {operations:?}", unknowns.len())),
             PlanStage::Computed(_) | PlanStage::Checked(_) => None,
+            other => panic!("{other:?} is no step of an arm"),
         };
         stages.iter().filter_map(operations).collect()
     };

@@ -44,6 +44,7 @@ use crate::solve::SolverReal;
 use crate::state::{Motion, MotionWithJerk, State};
 
 /// Why a table ends before the last state. `{:?}` is the sentence, as `{}` is.
+#[non_exhaustive]
 pub enum Unwritten<E> {
     /// There is no further state. The lines of those before it are written.
     Failure(E),

@@ -31,6 +31,7 @@ pub struct Loads<T, const M: usize, const A: usize> {
 ///
 /// * `HAS_OPPOSITE`: false for a joint whose other body does not get the opposite load, such as a gear pair: it has a load for each body.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct PlanarLoad<T, const HAS_OPPOSITE: bool = true> {
     /// Force at the joint's point, of `loads.joint_on_body()` at the origin of the body, in N.
     pub force: Vector2<T>,
@@ -44,6 +45,7 @@ pub struct PlanarLoad<T, const HAS_OPPOSITE: bool = true> {
 ///
 /// * `HAS_OPPOSITE`: false for a joint whose other body does not get the opposite load, such as a gear pair: it has a load for each body.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct SpatialLoad<T, const HAS_OPPOSITE: bool = true> {
     /// Force at the joint's point, of `loads.joint_on_body()` at the origin of the body, in N.
     pub force: Vector3<T>,
@@ -122,6 +124,7 @@ impl<T> Opposed for SpatialLoad<T> {}
 
 /// Load that a drive must supply.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct DriveLoad<T> {
     /// Force (N) or torque (N m) along the driven quantity, positive where it drives this forward: times the rate of the quantity, it is the
     /// power. Of an equation Φ(q) = C(t) it is −λ, of `drive_distance` and every other equation s² = C² it is −2 C λ, along s. Of a drive of

@@ -23,12 +23,15 @@ pub trait Prepare<T: SolverReal, const N: usize, const F: usize>: Stages<T, N> +
     type State: Deref<Target = State<T, N>>;
 
     /// A state with the names of the mechanism.
+    #[doc(hidden)]
     fn named(state: State<T, N>) -> Self::State;
 
     /// The state without the names.
+    #[doc(hidden)]
     fn unnamed(state: &mut Self::State) -> &mut State<T, N>;
 
     /// The quantities that depend on parameters only.
+    #[doc(hidden)]
     fn fixed(&self) -> [T; F] {
         [T::of(0.0); F]
     }
@@ -37,6 +40,7 @@ pub trait Prepare<T: SolverReal, const N: usize, const F: usize>: Stages<T, N> +
     ///
     /// # Errors
     /// Why no state was found from the solver's start or prediction.
+    #[doc(hidden)]
     #[inline(always)]
     fn stages_with(&self, fixed: &[T; F], t: T, solver: &mut Solver<'_, T, N>) -> Result<Coordinates<T, N>, StepError<T>> {
         let _ = fixed;

@@ -8,6 +8,7 @@ use crate::number::Scalar;
 /// Why there is no initial state, or why a motion stops. `{:?}` is the sentence, as `{}` is.
 #[derive(Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub enum Stopped<T> {
     /// Joints, drives and the initial values of the freedoms cannot hold together.
     NotAssembled {
@@ -148,7 +149,9 @@ impl<T: Scalar + Display> Display for Stopped<T> {
                 let wanted = if ["tolerance", "longest"].contains(field) { "positive" } else { "finite" };
                 write!(f, "the integrator's `{field}` is {value}: it has to be a {wanted} number")
             }
-            Stopped::TooManySteps { time } => write!(f, "the steps of one call end at t = {time} s"),
+            Stopped::TooManySteps { time } => {
+                write!(f, "the steps of one call end at t = {time} s: with a larger `most` the integrator makes more of them")
+            }
             Stopped::ParameterOutOfRange(ParameterOutOfRange { name, value, unit, why }) => {
                 let space = if unit.is_empty() { "" } else { " " };
                 write!(f, "the parameter `{name}` is {value}{space}{unit}: {why}")

@@ -29,6 +29,7 @@ pub use moving::Enclosure;
 
 /// Bounds of the errors of a state, by coordinate: a solution lies within all of them.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ErrorBound<T, const N: usize> {
     /// Of q, in m and rad.
     pub q: SVector<T, N>,
@@ -40,6 +41,7 @@ pub struct ErrorBound<T, const N: usize> {
 
 /// The proof that within a radius of a state there is exactly one solution.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Certificate<T, const N: usize> {
     /// The largest entry of `within.q`, with lengths divided by the characteristic length L.
     pub radius: T,
@@ -49,6 +51,7 @@ pub struct Certificate<T, const N: usize> {
 
 /// Why nothing could be proven about a state. `{:?}` is the sentence, as `{}` is.
 #[derive(Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Doubt {
     /// The parameter of this name is out of range.
     ParameterOutOfRange(&'static str),

@@ -29,6 +29,7 @@ use crate::state::State;
 /// }
 /// ```
 #[derive(Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Failure<T, const N: usize> {
     /// The mechanism as declared.
     pub mechanism: &'static str,
@@ -120,6 +121,12 @@ impl<T: Float> Cause<T> {
                 f,
                 "`{name}` has other inputs or parameters than those with which this state at t = {t} s was solved: write \
                  `mechanism.with_inputs_of(&state)` instead of `mechanism`"
+            ),
+            Cause::StateTooFar { coordinate, jump } => write!(
+                f,
+                "`{name}` has no state at t = {t} s near the given one, from which {coordinate} would jump by {}: that was solved with other \
+                 parameters, or changed; solve anew, or change parameters in smaller steps",
+                Measure(jump.to_f64(), coordinate.kind.unit())
             ),
             Cause::NoConvergence { correction, iterations } => write!(
                 f,

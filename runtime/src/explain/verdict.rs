@@ -28,10 +28,10 @@ pub(crate) fn of_continuation<T: Float, const N: usize>(
 ) -> Failure<T, N> {
     let (cause, time, last) = match ended {
         Ended::Refused(cause) => (cause, t, state.clone()),
-        Ended::Lost { error, here, next } => {
-            let ended = || (end_of_branch(mechanism, next, &here, error), next);
+        Ended::Lost { error, here, next, is_solved } => {
+            let ended = || (end_of_branch(mechanism, next, (&here, is_solved), error), next);
             let (cause, time) = diverging(mechanism, &here, next).unwrap_or_else(ended);
-            (cause, time, here)
+            (cause, if is_solved { time } else { t }, here)
         }
         Ended::TooManySteps { steps, here } => {
             let (cause, time) = diverging(mechanism, &here, t).unwrap_or((Cause::TooManySteps { steps }, t));
@@ -41,8 +41,13 @@ pub(crate) fn of_continuation<T: Float, const N: usize>(
     Failure { mechanism: mechanism.name, cause, time, end: None, last: Some(last) }
 }
 
-/// Why the branch could not be followed from `here` to `next`.
-fn end_of_branch<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, next: T, here: &State<T, N>, error: StepError<T>) -> Cause<T> {
+/// Why the branch could not be followed from `here`, which may be no solution, to `next`.
+fn end_of_branch<T: Float, const N: usize>(
+    mechanism: &Followed<'_, T, N>,
+    next: T,
+    (here, is_solved): (&State<T, N>, bool),
+    error: StepError<T>,
+) -> Cause<T> {
     if let StepError::NotFinite(of) = error {
         return Cause::NotFinite { of };
     }
@@ -52,7 +57,10 @@ fn end_of_branch<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, next:
         return cause;
     }
     match path::cold_state(mechanism, next, ColdSolver::from_guess(mechanism, &here.predict(next))) {
-        Ok((other, _)) => path::jump(mechanism, &here.q, &other.q),
+        Ok((other, _)) => match path::jump(mechanism, &here.q, &other.q) {
+            Cause::BranchLost { coordinate, jump } if !is_solved => Cause::StateTooFar { coordinate, jump },
+            lost => lost,
+        },
         Err(error) => error.into(),
     }
 }

@@ -6,6 +6,7 @@ use super::{Coordinate, ParameterOutOfRange, Row};
 /// close, or close only as the mirror image.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct BranchEnd<T> {
     /// λ on the line of parameters: 0 at the defaults, 1 at these parameters. [`Stages::interpolated`](crate::Stages::interpolated)
     /// returns the mechanism there.
@@ -19,6 +20,7 @@ pub struct BranchEnd<T> {
 /// Cause of a failure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub enum Cause<T> {
     /// No position was found that fulfils the equations: from the given start no step reduces the residuals any further.
     DoesNotClose {
@@ -71,6 +73,13 @@ pub enum Cause<T> {
     ParameterOutOfRange(ParameterOutOfRange<T>),
     /// The given state was solved with other inputs or other parameters than those of the mechanism.
     OtherInputs,
+    /// The given state was solved with other parameters than those of the mechanism, or changed, and no solution with these is near.
+    StateTooFar {
+        /// The coordinate that would jump most.
+        coordinate: Coordinate,
+        /// The size of the jump, in m or rad.
+        jump: T,
+    },
     /// Newton's method did not converge.
     NoConvergence {
         /// Length of the last correction, scaled.
@@ -88,6 +97,7 @@ pub enum Cause<T> {
 /// Quantity that was not finite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub enum Culprit {
     /// The time asked for.
     Time,

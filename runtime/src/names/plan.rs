@@ -15,6 +15,7 @@ pub struct Plan {
 /// One stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub enum PlanStage {
     /// This coordinate, `"crank.x"`, is computed from those before it.
     Computed(&'static str),

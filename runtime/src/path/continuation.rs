@@ -53,7 +53,16 @@ pub(crate) enum Ended<T, const N: usize> {
     /// There is no state at this time with these parameters.
     Refused(Cause<T>),
     /// No step from `here` towards `next`, however short, stays on the branch.
-    Lost { error: StepError<T>, here: State<T, N>, next: T },
+    Lost {
+        /// Why the shortest step failed.
+        error: StepError<T>,
+        /// The last state.
+        here: State<T, N>,
+        /// The end of the shortest step, in s.
+        next: T,
+        /// Whether that state is a solution; if not, it is the given one, with other parameters or changed.
+        is_solved: bool,
+    },
     /// The limit of steps was reached, at `here`.
     TooManySteps { steps: usize, here: State<T, N> },
 }
@@ -102,6 +111,7 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
     // A state of slightly different parameters is first solved again at its own time; a state of these parameters does not change
     // by that.
     let seated = cold_state(mechanism, state.t, ColdSolver::from_prediction(mechanism, state, T::of(0.0)));
+    let mut is_solved = seated.is_ok();
     let (mut here, fits) = seated.map_or_else(|_| (state.clone(), true), |(seated, off)| (seated, off.is_none()));
     // Why there was no state at `t`, as far as a redundant equation is to blame.
     let mut refused = None;
@@ -127,7 +137,7 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
                 return Ok(Arrival::Step);
             }
             Ok((there, _)) => {
-                here = there;
+                (here, is_solved) = (there, true);
                 step = step + step;
                 if here.condition <= greater(largest_condition(CLEAR), T::of(LEAST_CLEAR)) {
                     waypoint = here.clone();
@@ -146,10 +156,10 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
             }
             (Some(beyond), _) => {
                 step = t - beyond.t;
-                (here, waypoint) = (beyond.clone(), beyond);
+                (here, waypoint, is_solved) = (beyond.clone(), beyond, true);
             }
             (None, Ok(cause)) => return Err(Ended::Refused(cause)),
-            (None, Err(error)) => return Err(Ended::Lost { error, here, next }),
+            (None, Err(error)) => return Err(Ended::Lost { error, here, next, is_solved }),
         }
     }
     Err(Ended::TooManySteps { steps: most, here })

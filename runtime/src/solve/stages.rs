@@ -43,6 +43,7 @@ pub trait Stages<T: SolverReal, const N: usize>: Description<T, N> {
     }
 
     /// A rough guess of q (m, rad) at time `t` (s), refined if the mechanism has a method for it.
+    #[doc(hidden)]
     fn refined_guess(&self, t: T, guess: &SVector<T, N>) -> SVector<T, N>
     where
         T: Float,
