@@ -112,6 +112,37 @@ fn a_spline_through_points_of_a_quintic_is_that_quintic() -> Outcome {
     Ok(())
 }
 
+/// Coefficients of peak velocity, acceleration and jerk of the laws by shares, as printed: Norton, Cam Design and Manufacturing Handbook, table of
+/// the SCCA family. The jerk of the last two is infinite at their ends.
+#[test]
+fn laws_by_shares_have_the_coefficients_of_the_handbook() -> Outcome {
+    let shares = Shares::default();
+    let mut peaks = [[0.0_f64; 3]; 5];
+    for u in (1..40_000).map(|step| f64::from(step) / 40_000.0) {
+        let state = shares.solve(u)?;
+        let laws =
+            [shares.cycloidal(&state), shares.trapezoidal(&state), shares.sine(&state), shares.harmonic(&state), shares.parabolic(&state)];
+        for (peaks, law) in peaks.iter_mut().zip(laws) {
+            for (peak, value) in peaks.iter_mut().zip([law.rate, law.acceleration, law.jerk]) {
+                *peak = peak.max(value.abs());
+            }
+        }
+    }
+    let printed = [
+        ["2.0000", "6.2832", "39.478"],
+        ["2.0000", "4.8881", "61.426"],
+        ["1.7596", "5.5280", "69.466"],
+        ["1.5708", "4.9348", ""],
+        ["2.0000", "4.0000", ""],
+    ];
+    for (peaks, printed) in peaks.into_iter().zip(printed) {
+        for ((peak, printed), digits) in peaks.into_iter().zip(printed).zip([4, 4, 3]).filter(|((_, printed), _)| !printed.is_empty()) {
+            assert_eq!(format!("{peak:.digits$}"), printed);
+        }
+    }
+    Ok(())
+}
+
 /// The spline of degree 5 through N values of sin x at equal distances has the frequencies ω = 1 + N m, each with the weight ω⁻⁶.
 ///
 /// Reference: Schoenberg, Cardinal Spline Interpolation, lecture 3, on exponential splines.

@@ -216,6 +216,15 @@ fn peaks_are_those_of_handbooks() {
             assert!((peak - factors[order - 1]).abs() <= 5.1e-4, "{name} order {order}: {peak}");
         }
     }
+    // Peak jerk, in print without decimals, from the growth of the acceleration.
+    for (name, printed) in
+        [("cycloidal", 40.0), ("polynomial_345", 60.0), ("polynomial_4567", 52.0), ("modified_trapezoidal", 61.0), ("modified_sine", 69.0)]
+    {
+        let law = pages().iter().position(|page| page.name == name).expect("a law of this name");
+        let acceleration = |step: i32| laws(f64::from(step) / 4096.0)[law][2];
+        let jerk = (1..4095).map(|step| 4096.0 * (acceleration(step + 1) - acceleration(step)).abs()).fold(0.0, f64::max);
+        assert!((jerk - printed).abs() <= 0.53, "{name}: {jerk}");
+    }
     // The double harmonic rises with a smaller acceleration than that of its turn.
     let rising = grid().map(|u| laws(u)[6][2]).fold(0.0, f64::max);
     assert!((rising - 5.55).abs() <= 5e-3, "{rising}");
