@@ -117,7 +117,9 @@ fn points_of_ground_and_of_parts_have_names() -> Outcome {
     assert_eq!(points.ground_up().value, Vector2::new(0.0, 1.0));
     assert_eq!(points.crank_type().value, state.crank().point(Vector2::new(0.001, 0.002)).value);
     let (sine, cosine) = 0.2_f64.sin_cos();
-    for (found, l) in [(points.pendulum_0_bar_Q_1(), 0.05), (points.pendulum_1_bar_Q_1(), 0.07)] {
+    let [[base, _], [_, tip]] = points.pendulum_bar_Q();
+    assert_eq!([base, tip], [points.pendulum_0_bar_Q_0(), points.pendulum_1_bar_Q_1()]);
+    for (found, l) in points.pendulum_bar_Q().map(|[_, tip]| tip).into_iter().zip([0.05, 0.07]) {
         near(
             found,
             Motion {
