@@ -41,7 +41,7 @@ macro_rules! codes {
 codes! {
     // Grammar.
     E0001: Grammar::Syntax Grammar::Expected Grammar::ArgumentByEquals Grammar::Unnamed Motion::EquationWithoutBraces Motion::RateBeforeStart
-        Motion::PlaceWithoutAt Motion::StartWithEquals Motion::FreedomWithoutName Grammar::OneEqualsSign
+        Motion::PlaceWithoutAt Motion::StartWithEquals Motion::FreedomWithoutName Motion::DriveWithoutName Grammar::OneEqualsSign
         Grammar::HashComment Grammar::CommaAtEnd Grammar::DecimalComma Grammar::OutputWithoutName Grammar::OutputWithDimension
         Grammar::TwoConditions Grammar::ComparisonOutside Grammar::ForceBeforePlace Grammar::StraySemicolon Grammar::Return;
     E0002: Grammar::NotANumber;

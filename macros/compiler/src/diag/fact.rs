@@ -163,12 +163,25 @@ pub enum NameFact {
     Recursion { name: String },
 }
 
+/// What arguments that are too few may be meant for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum MeantFor {
+    /// Nothing else.
+    Nothing,
+    /// A force about a hinge, which is named.
+    Hinge,
+    /// Something between the bodies of a joint, which is named.
+    Joint,
+    /// A force with given components: its clause, `at rod.P: (0N, 5N)`.
+    Components(String),
+}
+
 /// Arguments: too many, too few, in the wrong order.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
 pub enum ArityFact {
     TooManyArguments { definition: String, signature: String, takes: [usize; 2], found: usize },
-    MissingArguments { definition: String, signature: String, takes: [usize; 2], found: usize, missing: Vec<String>, is_of_joint: bool },
+    MissingArguments { definition: String, signature: String, takes: [usize; 2], found: usize, missing: Vec<String>, meant: MeantFor },
     MissingAxes { definition: String, signature: String, missing: Vec<String>, instead: String, without: Vec<String> },
     UnknownArgument { definition: String, name: String, signature: String, near: Option<String> },
     DuplicateArgument { name: String, is_also_in_order: bool },

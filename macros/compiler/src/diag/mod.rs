@@ -17,7 +17,7 @@ mod warning;
 pub use code::PAGES;
 pub use fact::{
     ArityFact, ArrayFact, AssemblyFact, Bound, Count, Demand, Driven, EquationFact, Fact, Forgotten, Gap, GrammarFact, JerkObstacle,
-    JointValue, Known, MotionFact, NameFact, Neglected, NoPosition, SystemFact, Typed, ValueFact, Word,
+    JointValue, Known, MeantFor, MotionFact, NameFact, Neglected, NoPosition, SystemFact, Typed, ValueFact, Word,
 };
 pub use home::Home;
 pub(crate) use home::home;

@@ -9,8 +9,9 @@ const LONGEST: usize = 60;
 const ADDED: [&str; 9] = ["joint", "joints", "constraint", "force", "object", "connector", "mate", "element", "pair"];
 
 /// Words of the language with their synonyms elsewhere.
-const SYNONYMS: [(&str, &[&str]); 87] = [
-    ("Number", &["f32", "f64", "float", "double", "real", "scalar", "int", "integer", "i32", "u32", "usize"]),
+const SYNONYMS: [(&str, &[&str]); 88] = [
+    ("Point", &["position", "location", "place"]),
+    ("Number", &["f32", "f64", "float", "double", "real", "scalar", "int", "integer", "i32", "i64", "u32", "u64", "usize"]),
     ("Length", &["m", "mm", "cm", "distance", "position", "displacement", "millimeter", "millimetre", "meter", "metre"]),
     ("Angle", &["deg", "degree", "degrees", "rad", "radian", "radians", "rotation"]),
     ("Time", &["s", "sec", "second", "seconds", "duration", "period"]),

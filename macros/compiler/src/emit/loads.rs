@@ -4,7 +4,7 @@ use super::expression::local;
 use super::functions::Emitter;
 use super::literal::{matrix_type, number, vector_type};
 use super::routine::{RoutinePrinter, fast_lines};
-use super::{allowed, docs, open, state_path};
+use super::{allowed_at_places, docs, state_path};
 use crate::expr::Arena;
 use crate::plan::{LoadsCode, Routine};
 use crate::syntax::ast::Task;
@@ -23,7 +23,7 @@ impl Emitter<'_> {
         let both = both.map(|both| self.closed_form("accelerations_with_loads", both, code, self.system.width()));
         let (general, methods) = (self.loads_in_general(code), self.methods_of_loads(code));
         let alone: TokenStream = code.named.iter().filter(|load| load.is_slice).map(|load| self.load_alone(load, code)).collect();
-        let (m, width, allowed, open) = (number(code.multipliers), number(code.width), allowed(), open());
+        let (m, width, allowed) = (number(code.multipliers), number(code.width), allowed_at_places());
         let first = closed.is_some().then(|| {
             quote! {
                 if let ::core::option::Option::Some((_, multipliers, actions)) = self.loads_in_closed_form(state) {
@@ -37,7 +37,6 @@ impl Emitter<'_> {
         let page = docs::line(&format!("Loads of [`{name}`]: multipliers, and what every joint and drive does to its bodies."));
         quote! {
             #allowed
-            #open
             impl<T: ::reuleaux::Scalar> #name<T> {
                 #closed
                 #both
@@ -62,7 +61,6 @@ impl Emitter<'_> {
                 loads: ::reuleaux::Loads<T, #m, #width>,
             }
             #allowed
-            #open
             impl<T: ::reuleaux::Scalar> #loads<T> { #methods }
             impl<T> ::core::ops::Deref for #loads<T> {
                 type Target = ::reuleaux::Loads<T, #m, #width>;

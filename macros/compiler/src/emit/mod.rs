@@ -74,11 +74,10 @@ pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: 
     let warnings = of_motion.chain(&motion.undercut).chain(&model.doubts).map(Warning::to_tokens);
     let state = (model.task.is_determined() || !model.outputs.is_empty()).then(|| state(model, system));
     let (drawable, listing, points, dynamics) = (emitter.drawable(), emitter.listing(), emitter.points(), emitter.dynamics());
-    let (name, allowed, open, loads) = (&model.name, allowed(), open(), emitter.loads());
+    let (name, allowed, loads) = (&model.name, allowed_at_places(), emitter.loads());
     quote! {
         #default
         #allowed
-        #open
         impl<T: ::reuleaux::Real> #name<T> {
             #with_defaults
             #constants
@@ -113,7 +112,7 @@ pub(super) fn allowed() -> TokenStream {
 }
 
 /// A function at the place of a word of the declaration, where the link to its source leads on its page: an item reaches from its first token to
-/// its last one. So rustc takes its `pub` for the user's: see [`open`].
+/// its last one. So rustc takes its `pub` for the user's: see [`allowed_at_places`].
 pub(super) fn placed(at: Span, function: TokenStream) -> TokenStream {
     let mut tokens: Vec<TokenTree> = function.into_iter().collect();
     for end in [0, tokens.len().saturating_sub(1)] {
@@ -124,9 +123,10 @@ pub(super) fn placed(at: Span, function: TokenStream) -> TokenStream {
     tokens.into_iter().collect()
 }
 
-/// For blocks with functions at places of the declaration: the mechanism may be private.
-pub(super) fn open() -> TokenStream {
-    quote!(#[allow(unreachable_pub)])
+/// The same for blocks with functions at [places](placed) of the declaration: the mechanism may be private.
+pub(super) fn allowed_at_places() -> TokenStream {
+    let allowed = allowed();
+    quote!(#allowed #[allow(unreachable_pub)])
 }
 
 fn structure(model: &Model, page: &str) -> TokenStream {
@@ -396,7 +396,7 @@ fn state(model: &Model, system: &System) -> TokenStream {
     let inputs_name = model.holds_inputs().then(|| inputs::type_name(name));
     let others = failure_name.iter().chain(&inputs_name);
     let names = if model.has_stub { quote!({ #own_name #(, #others)* }) } else { quote!(*) };
-    let (allowed, open, serial) = (allowed(), open(), serial::derived(model.requests.serde.as_ref(), None));
+    let (allowed, serial) = (allowed_at_places(), serial::derived(model.requests.serde.as_ref(), None));
     let inputs = model.holds_inputs().then(|| {
         let (kind, page) = (inputs::type_name(name), docs::line("The inputs that it was solved for."));
         quote!(, #page pub #kind<T>)
@@ -415,7 +415,6 @@ fn state(model: &Model, system: &System) -> TokenStream {
         #[allow(unused_imports, unreachable_pub)]
         #visibility use #module::#names;
         #allowed
-        #open
         impl<T: ::reuleaux::Real> #state<T> { #own }
         impl<T> ::core::ops::Deref for #state<T> {
             type Target = ::reuleaux::State<T, #n>;

@@ -3,7 +3,7 @@
 use super::arrays::{array_at, array_type};
 use super::literal::number;
 use super::parameters::{apart, holders};
-use super::{allowed, docs, docs_or, open, placed, state_name};
+use super::{allowed_at_places, docs, docs_or, placed, state_name};
 use crate::model::{Field, Layout, Of, Part};
 use crate::quantity::Ambient;
 use crate::system::COSINES;
@@ -65,7 +65,7 @@ impl<'a> Accessors<'a> {
         let view = |component: usize| {
             let (view, declared) = (self.view(component), &self.layout.components[component]);
             let page = format!("A `{}` in a [`{state}`].", declared.name.as_ref().map(Ident::to_string).unwrap_or_default());
-            let (page, allowed, open, n) = (docs::line(&page), allowed(), open(), number(n));
+            let (page, allowed, n) = (docs::line(&page), allowed_at_places(), number(n));
             let accessors = self.of(
                 component,
                 |place| self.view_of(quote!(self.state), quote!(self.first + #place)),
@@ -82,7 +82,6 @@ impl<'a> Accessors<'a> {
                     first: ::core::primitive::usize,
                 }
                 #allowed
-                #open
                 impl<'a, T: ::reuleaux::Real> #view<'a, T> { #accessors }
             }
         };

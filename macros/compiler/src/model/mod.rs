@@ -6,6 +6,7 @@ pub(crate) mod example;
 mod layout;
 mod mass;
 mod name;
+mod neglected;
 pub mod sketch;
 mod solid;
 

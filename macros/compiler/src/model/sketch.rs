@@ -3,11 +3,9 @@
 //! All its expressions are in a separate arena, so that drawing a mechanism does not change how it is solved.
 
 use super::{Components, Model};
-use crate::diag::Neglected;
 use crate::expr::{Arena, Expr};
 use crate::quantity::Dim;
 use proc_macro2::Span;
-use std::collections::{BTreeMap, BTreeSet};
 
 /// Mechanisms with more bodies are not drawn: their parts could not be distinguished.
 pub(crate) const MOST_DRAWN: usize = 200;
@@ -121,33 +119,6 @@ impl Sketch {
 }
 
 impl Model {
-    /// A point in no joint, of a body or of ground of which two of these joints have another point in common: where joints contradict each other, it
-    /// may be meant in one of them.
-    pub(crate) fn neglected(&self, joints: impl Iterator<Item = usize>) -> Option<Box<Neglected>> {
-        let place = |at: &LocalVector| (at.body, at.local.iter().copied().collect::<Vec<_>>());
-        let points_of = |made: &Instantiation| -> BTreeSet<_> {
-            let points =
-                made.arguments.iter().filter_map(|(_, argument)| if let JointArgument::Point(at) = argument { Some(at) } else { None });
-            points.map(place).collect()
-        };
-        let mut joints_at: BTreeMap<_, Vec<usize>> = BTreeMap::new();
-        for joint in joints {
-            for point in self.sketch.joints.get(joint).map(points_of).unwrap_or_default() {
-                joints_at.entry(point).or_default().push(joint);
-            }
-        }
-        let used: BTreeSet<_> = self.sketch.joints.iter().flat_map(points_of).collect();
-        let is_free = |point: &&NamedPoint| !used.contains(&place(&point.at));
-        let written = |point: &NamedPoint| format!("{}.{}", self.drawn_name(point.at.body), point.name);
-        self.sketch.points.iter().filter(is_free).find_map(|point| {
-            let taken =
-                |other: &&NamedPoint| other.at.body == point.at.body && joints_at.get(&place(&other.at)).is_some_and(|at| at.len() > 1);
-            let taken = self.sketch.points.iter().find(taken)?;
-            let joints = joints_at.get(&place(&taken.at))?.iter().map(|joint| self.joints[*joint].name.to_string()).collect();
-            Some(Box::new(Neglected { point: written(point), taken: written(taken), joints }))
-        })
-    }
-
     /// The name of a body in a picture.
     pub(crate) fn drawn_name(&self, body: Option<usize>) -> String {
         body.map_or_else(|| "ground".to_owned(), |body| self.bodies[body].name.unraw())

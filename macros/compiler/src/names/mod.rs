@@ -314,11 +314,17 @@ impl Names {
         self.find(space, word).or_else(|| self.find(outer?, word))
     }
 
-    /// True for the name of a joint of the mechanism.
-    pub(crate) fn is_joint(&self, written: &ast::Expression) -> bool {
-        let ExpressionKind::Path(path) = &written.kind else { return false };
-        let group = path.name.as_ref().and_then(|name| self.visible(SpaceId::MECHANISM, &name.to_string()));
-        group.is_some_and(|group| self.group(group).sort == Sort::Joint)
+    /// The word for the kind of a joint of the mechanism, if the expression is its name.
+    pub(crate) fn joint_kind(&self, written: &ast::Expression) -> Option<String> {
+        let ExpressionKind::Path(path) = &written.kind else { return None };
+        let name = path.name.as_ref()?;
+        self.declared.iter().find_map(|declared| match &declared.entity {
+            Entity::Joint(joint) if declared.name.word == *name => match &joint.body {
+                ast::JointBody::Of { kind, .. } => Some(kind.to_string()),
+                _ => Some(String::new()),
+            },
+            _ => None,
+        })
     }
 
     /// True for the path of an axis, `body.axis`, and for a direction that is written out.

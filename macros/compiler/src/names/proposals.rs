@@ -44,10 +44,15 @@ impl Names {
             }
             (Value::Axis(_), Relation::Equal) => Some(match self.an_axis_of(other) {
                 Some(axis) => format!("take an axis of `{body}`, such as `{body}.{axis}`"),
-                None => match self.ambient {
-                    Ambient::Plane => format!("declare an axis in `{body}`, such as `axis u = (1, 0);`, and write `{body}.u`"),
-                    Ambient::Space => format!("declare an axis in `{body}`, such as `axis z = (0, 0, 1);`, and write `{body}.z`"),
-                },
+                None => {
+                    let (names, along) = match self.ambient {
+                        Ambient::Plane => (["u", "v", "along"], "(1, 0)"),
+                        Ambient::Space => (["z", "w", "along"], "(0, 0, 1)"),
+                    };
+                    let is_free = |name: &&str| self.find(self.frames[other.0].space, name).is_none();
+                    let name = names.into_iter().find(is_free).unwrap_or("turning");
+                    format!("declare an axis in `{body}`, such as `axis {name} = {along};`, and write `{body}.{name}`")
+                }
             }),
             _ => None,
         }

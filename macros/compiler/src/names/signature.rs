@@ -1,7 +1,7 @@
 //! Signatures of definitions, for messages.
 
 use super::value::Value;
-use crate::diag::{ArityFact, Range, Wanted, nearest};
+use crate::diag::{ArityFact, MeantFor, Range, Wanted, nearest};
 use crate::expr::{Arena, Expr};
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{Argument, Definition, Dimension, Formal, FormalKind};
@@ -80,9 +80,9 @@ pub(crate) fn too_many(definition: &Definition, found: usize) -> ArityFact {
     }
 }
 
-pub(crate) fn too_few(definition: &Definition, found: usize, missing: Vec<String>, is_of_joint: bool) -> ArityFact {
+pub(crate) fn too_few(definition: &Definition, found: usize, missing: Vec<String>, meant: MeantFor) -> ArityFact {
     let (name, signature) = (definition.name.to_string(), signature(definition));
-    ArityFact::MissingArguments { definition: name, signature, takes: takes(definition), found, missing, is_of_joint }
+    ArityFact::MissingArguments { definition: name, signature, takes: takes(definition), found, missing, meant }
 }
 
 pub(crate) fn unknown_argument(definition: &Definition, name: &Ident) -> ArityFact {

@@ -245,7 +245,7 @@ impl Elaborator<'_> {
     ) -> Option<Scalar> {
         let [argument] = arguments else {
             let (name, found) = (path.last.to_string(), arguments.len());
-            if found > 1 && library::functions().any(|law| law == name) {
+            if found > 1 && name != "wrap" && library::functions().any(|law| law == name) {
                 return self.refuse(path.range, ArityFact::LawArity { name, found });
             }
             return self.refuse(path.range, ArityFact::FunctionArity { name, wanted: 1, found });

@@ -3,7 +3,7 @@
 use super::Name;
 use super::elaborate::Elaborator;
 use super::statement::ScalarEquation;
-use crate::diag::{ArityFact, ArrayFact, EquationFact, Kind, MotionFact, Range, ValueFact};
+use crate::diag::{ArityFact, ArrayFact, EquationFact, Kind, MeantFor, MotionFact, Range, ValueFact};
 use crate::expr::Leaf;
 use crate::library;
 use crate::names::{
@@ -197,9 +197,22 @@ impl Elaborator<'_> {
         }
         let missing = wanted.iter().zip(&slots).filter(|(formal, slot)| slot.is_none() && formal.default.is_none());
         let missing: Vec<String> = missing.map(|(formal, _)| formal.name.to_string()).collect();
-        let takes_joint = is_between(definition) || library::is_force(&definition.name.to_string());
-        let is_of_joint = takes_joint && given.first().is_some_and(|first| self.names.is_joint(&first.value));
-        if missing.is_empty() { Some(slots) } else { self.refuse(kind, too_few(definition, given.len(), missing, is_of_joint)) }
+        let meant = self.meant_by(definition, given);
+        if missing.is_empty() { Some(slots) } else { self.refuse(kind, too_few(definition, given.len(), missing, meant)) }
+    }
+
+    /// What arguments that are too few may be meant for.
+    fn meant_by(&self, definition: &Definition, given: &[Argument]) -> MeantFor {
+        let name = definition.name.to_string();
+        let components = given.iter().find(|argument| matches!(argument.value.kind, ast::ExpressionKind::Tuple(_)));
+        if let ("constant_force", Some(components), [point, _]) = (name.as_str(), components, given) {
+            return MeantFor::Components(format!("at {}: {}", point.value, components.value));
+        }
+        match given.first().and_then(|first| self.names.joint_kind(&first.value)) {
+            Some(kind) if kind == "revolute" && library::is_force(&name) => MeantFor::Hinge,
+            Some(_) if is_between(definition) || library::is_force(&name) => MeantFor::Joint,
+            _ => MeantFor::Nothing,
+        }
     }
 
     /// Evaluates an argument and checks its kind.
@@ -218,14 +231,8 @@ impl Elaborator<'_> {
         let value = self.measured(formal, value)?;
         let found = if let Value::Joint { kind, .. } = &value { Kind::JointOf(kind.clone()) } else { value.kind() };
         self.has_quantity(definition, formal, argument, &value)?;
-        if let (FormalKind::Axis, Value::Scalar(_), ast::ExpressionKind::Field(body, name)) = (&formal.kind, &value, &argument.kind)
-            && ["x", "y", "z"].iter().any(|axis| name == axis)
-        {
-            let (parameter, definition) = (formal.name.to_string(), definition.name.to_string());
-            let (body, name) = (body.to_string(), name.to_string());
-            return self.refuse(argument.range, ValueFact::CoordinateForAxis { parameter, definition, body, name });
-        }
-        let instead = self.instead(&formal.kind, argument, &value);
+        self.is_no_coordinate(definition, formal, argument, scope)?;
+        let instead = self.instead((definition, &formal.kind), argument, &value, scope);
         let wrong = |this: &mut Self| {
             let (parameter, definition, ambient) = (formal.name.to_string(), definition.name.to_string(), this.names.ambient);
             let wanted = wanted(&formal.kind);
@@ -289,8 +296,35 @@ impl Elaborator<'_> {
         Some(self.quantity_of(&kind, &arguments, name).unwrap_or(value))
     }
 
+    /// Refuses a coordinate of a body in space where an axis is wanted.
+    fn is_no_coordinate(&mut self, definition: &Definition, formal: &Formal, argument: &ast::Expression, scope: &Scope) -> Option<()> {
+        let (FormalKind::Axis, ast::ExpressionKind::Field(body, name), Ambient::Space) = (&formal.kind, &argument.kind, self.names.ambient)
+        else {
+            return Some(());
+        };
+        if ["x", "y", "z"].iter().all(|axis| name != axis) || !matches!(self.value(argument, scope)?, Value::Scalar(_)) {
+            return Some(());
+        }
+        let Some(frame) = self.body_of(body, scope) else { return Some(()) };
+        let (parameter, definition) = (formal.name.to_string(), definition.name.to_string());
+        let (body, name) = (self.names.frames[frame.0].name.clone(), name.to_string());
+        self.refuse(argument.range, ValueFact::CoordinateForAxis { parameter, definition, body, name })
+    }
+
+    /// The body that a word names.
+    fn body_of(&mut self, written: &ast::Expression, scope: &Scope) -> Option<FrameId> {
+        let ast::ExpressionKind::Path(_) = written.kind else { return None };
+        if let Value::Body(frame) = self.value(written, scope)? { Some(frame) } else { None }
+    }
+
     /// Suggests a replacement for an argument of the wrong kind.
-    fn instead(&mut self, wanted: &FormalKind, argument: &ast::Expression, found: &Value) -> Option<String> {
+    fn instead(
+        &mut self,
+        (definition, wanted): (&Definition, &FormalKind),
+        argument: &ast::Expression,
+        found: &Value,
+        scope: &Scope,
+    ) -> Option<String> {
         match (wanted, found, &argument.kind) {
             (FormalKind::Point, Value::Body(frame), ast::ExpressionKind::Path(path)) => {
                 Some(format!("{}.{}", path.last, self.free_point_of(*frame)))
@@ -300,14 +334,21 @@ impl Elaborator<'_> {
                 Ambient::Space => self.hinge_of(*frame),
             },
             (FormalKind::Body, Value::Point(fixed) | Value::Axis(fixed), _) => Some(self.names.frames[fixed.frame.0].name.clone()),
-            (FormalKind::Body, Value::Scalar(_), ast::ExpressionKind::Field(body, _))
-                if matches!(body.kind, ast::ExpressionKind::Path(_)) && !self.names.is_joint(body) =>
-            {
-                Some(body.to_string())
+            (FormalKind::Body, Value::Scalar(_), ast::ExpressionKind::Field(body, _)) => {
+                self.body_of(body, scope).map(|frame| self.names.frames[frame.0].name.clone())
             }
             (FormalKind::Body, Value::Joint { arguments, .. }, _) => {
-                let moving = |(_, value): &(String, Value)| value.frame().filter(|frame| *frame != FrameId::GROUND);
-                arguments.iter().rev().find_map(moving).map(|frame| self.names.frames[frame.0].name.clone())
+                let mut frames: Vec<FrameId> = arguments.iter().filter_map(|(_, value)| value.frame()).collect();
+                frames.retain(|frame| *frame != FrameId::GROUND);
+                frames.dedup();
+                match frames.as_slice() {
+                    [only] => Some(self.names.frames[only.0].name.clone()),
+                    [one, two] if definition.name == "drive_angle" => {
+                        let [one, two] = [one, two].map(|frame| &self.names.frames[frame.0].name);
+                        Some(format!("drive_relative_angle({one}, {two}, …)"))
+                    }
+                    _ => None,
+                }
             }
             (FormalKind::Axis, Value::Body(frame) | Value::Point(Fixed { frame, .. }), _) => {
                 let any = if self.names.ambient == Ambient::Space { "(1, 0, 0)" } else { "(1, 0)" };

@@ -32,13 +32,18 @@ pub(super) fn joint(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
         Word::Drive => "the name of the drive",
         Word::Force => "the name of the force",
     };
+    let before = input.fork();
     let (name, indices) = declared(input, what)?;
     if input.peek(token::Paren) {
         return wrong(&name, GrammarFact::Unnamed { word, kind: name.to_string() });
     }
     // `drive crank.angle = …`
     if input.peek(Token![.]) && word == Word::Drive {
-        return wrong(&name, GrammarFact::Unnamed { word, kind: driving(input) });
+        let value = expression(&before)?;
+        return wrong(value.range, MotionFact::DriveWithoutName { value: value.to_string() });
+    }
+    if input.peek(token::Brace) {
+        return expected(input, "`=` before the braces");
     }
     equals(input)?;
     let body = match () {
@@ -47,17 +52,6 @@ pub(super) fn joint(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
         () => instance(input)?,
     };
     Ok(JointItem { docs, is_drive, is_redundant, is_slice: false, velocity: None, name, indices, body })
-}
-
-/// The drive of the value whose name follows.
-fn driving(input: ParseStream) -> String {
-    let ahead = input.fork();
-    let value = ahead.parse::<Token![.]>().and_then(|_| Ident::parse_any(&ahead)).map_or(String::new(), |value| value.to_string());
-    match value.as_str() {
-        "x" | "y" | "z" => format!("drive_{value}"),
-        "displacement" => "drive_translation".to_owned(),
-        _ => "drive_angle".to_owned(),
-    }
 }
 
 /// `freedom name = value from start at rate;`

@@ -23,6 +23,9 @@ crate::refusals! {
     item vector_with_three_components: "output b = «(1, 2, 3)»;" => "a vector in the plane has 2 components, found 3\nhelp: for a mechanism in space write `mechanism Name in space { … }`";
     item point_with_three_components: "body b { point P = «(1mm, 2mm, 3mm)»; }" => "a vector in the plane has 2 components, found 3\nhelp: for a mechanism in space write `mechanism Name in space { … }`";
     item law_with_height_and_duration: "output b = «cycloidal»(crank.angle, 20mm, 90deg);" => "`cycloidal` takes 1 argument, found 3\nhelp: a law leads from 0 to 1 as its argument does: write `height * cycloidal(x / duration)`";
-    item force_with_given_components: "force pull = «constant_force»(crank.A, (0N, 5N));" => "`constant_force` takes 3 arguments, found 2: `force` is missing\nhelp: a force with given components is written `force name = { at P: (0N, -5N); }`\nnote: `constant_force(P: Point, Q: Point, force: Force)`";
-    item damper_of_a_hinge: "force drag = «damper»(hinge, 5Nms_rad);" => "`damper` takes 3 arguments, found 2: `damping` is missing\nhelp: about a hinge acts `torsion_damper` instead\nnote: `damper(P: Point, Q: Point, damping: Mass / Time)`";
+    item force_with_given_components: "force pull = «constant_force»(crank.A, (0N, 5N));" => "`constant_force` takes 3 arguments, found 2: `force` is missing\nhelp: a force with given components is written `force name = { at crank.A: (0N, 5N); }`\nnote: `constant_force(P: Point, Q: Point, force: Force)`";
+    item damper_of_a_hinge: "force drag = «damper»(hinge, 5Nms_rad);" => "`damper` takes 3 arguments, found 2: `damping` is missing\nhelp: `torsion_damper` acts about a hinge\nnote: `damper(P: Point, Q: Point, damping: Mass / Time)`";
+    item damper_of_a_slide: "force drag = «damper»(slide, 5Ns_m);" => "`damper` takes 3 arguments, found 2: `damping` is missing\nhelp: for a joint, write its two points instead of its name\nnote: `damper(P: Point, Q: Point, damping: Mass / Time)`";
+    item constant_force_without_a_size: "force pull = «constant_force»(crank.A, ground.C);" => "`constant_force` takes 3 arguments, found 2: `force` is missing\nnote: `constant_force(P: Point, Q: Point, force: Force)`";
+    item wrap_with_a_period: "output b = «wrap»(crank.angle, 360deg);" => "`wrap` takes 1 argument, found 2";
 }

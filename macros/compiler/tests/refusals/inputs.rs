@@ -26,7 +26,7 @@ refusals! {
         => "a component cannot be called `Inputs`: a generated type would have that name\nhelp: choose another name";
     item input_without_a_dimension:
         "input theta«;»"
-        => "expected `:` and a dimension such as `Length`, found `;`\nhelp: write the dimension behind the name, as in `name: Angle`";
+        => "expected `:` and a dimension such as `Length`, found `;`\nhelp: write the dimension behind the name, as in `name: Length = …;`";
     item input_of_another_dimension:
         "input way: Length; drive d = drive_angle(crank, «way»);"
         => "`C` of `drive_angle` is an angle (rad), found a length (m)";

@@ -76,6 +76,7 @@ crate::refusals! {
     item type_of_rust_as_a_dimension: "param a: «f64» = 3;" => "no dimension is called `f64`\nhelp: did you mean `Number`?";
     item speed_as_a_dimension: "param a: «Speed» = 3m_s;" => "no dimension is called `Speed`\nhelp: did you mean `Velocity`?";
     item unit_as_a_dimension: "param a: «mm» = 3mm;" => "no dimension is called `mm`\nhelp: did you mean `Length`?";
-    item acceleration_of_a_point: "output b = crank.A.«acceleration»;" => "a point has no `acceleration`\nhelp: an output is given with its rate and its acceleration: write the value alone";
+    item acceleration_of_a_point: "output b = crank.A.«acceleration»;" => "a point has no `acceleration`\nhelp: an output is given with its rate and its acceleration; equations and forces contain none";
     item loads_in_the_declaration: "output b = «loads».input;" => "nothing is called `loads` here\nnote: loads are computed for a state, in Rust\nhelp: write `mechanism.loads(&state)` there";
+    item input_that_is_misspelt_as_loads: "input load: Force; output b = «loads»;" => "nothing is called `loads` here\nhelp: did you mean `load`?";
 }

@@ -95,22 +95,25 @@ crate::refusals! {
     item operator_missing_after_a_unit: "drive second = drive_angle(crank, «60rpm t»);" => "an operator is missing between `60rpm` and `t`\nhelp: write `60rpm * t`";
     item unit_apart_after_an_exponent: "param width: Length = «1e-3 m»;" => "a unit stands right behind its number\nhelp: write `1e-3m`";
     item unit_apart: "param stiffness: Torque = «5N m»;" => "a unit stands right behind its number\nhelp: write `5Nm`";
-    item starts_in_a_block: "start «{» crank.angle = 30deg; }" => "expected a value of a joint, such as `hinge.angle`, found `{`\nhelp: a body has its `start angle = …;` inside its own braces; that of a joint is `start hinge.angle = …;`";
-    item point_as_a_call: "body b { point P«(»1m, 0m); }" => "expected `=`, found `(`\nhelp: a value stands behind `=`, as in `name = (…);`";
-    item braces_without_equal_sign: "joint a «{» crank.x == 0; }" => "expected `=`, found `{`\nhelp: write `=` between the name and the braces";
+    item starts_in_a_block: "start «{» crank.angle = 30deg; }" => "expected a value of a joint, such as `hinge.angle`, found `{`\nhelp: write `start angle = …;` in the body, or `start hinge.angle = …;` for a joint in space";
+    item point_as_a_call: "body b { point P«(»1m, 0m); }" => "expected `=`, found `(`\nhelp: write `point P = (…);` for a point, `function f(x: Angle) -> Length = …;` for a function";
+    item braces_without_equal_sign: "joint a «{» crank.x == 0; }" => "expected `=` before the braces, found `{`";
     item arguments_in_braces: "joint a = revolute «{» ground.O, crank.O };" => "expected `(` and the arguments, found `{`\nhelp: arguments stand in parentheses";
-    item drive_of_an_angle: "drive «crank».angle = 1rad_s * t;" => "a drive has a name of its own\nhelp: write `drive name = drive_angle(…);`";
-    item drive_of_a_place: "drive «ram».x = 1m_s * t;" => "a drive has a name of its own\nhelp: write `drive name = drive_x(…);`";
+    item drive_of_an_angle: "drive «crank.angle» = 1rad_s * t;" => "a drive has a name of its own\nhelp: write `drive name = { crank.angle == …; }`";
+    item drive_of_a_place: "drive «ram.B.x» = 1m_s * t;" => "a drive has a name of its own\nhelp: write `drive name = { ram.B.x == …; }`";
     item choice_as_in_c: "drive d = drive_angle(crank, t «<» 1s ? 1rad : 2rad);" => "a comparison is no value\nhelp: write `if a < b { x } else { y }` for a choice";
-    item angle_at_a_time: "output b = crank.«angle»(t);" => "`angle` is a value, not a method\nhelp: write `.angle`, without parentheses; it is that of the state at t";
+    item angle_at_a_time: "output b = crank.«angle»(t);" => "`angle` is a value, not a method\nhelp: write `.angle` without parentheses: it is its value at t";
     item energy_without_a_name: "energy «=» 3;" => "expected the name of the energy, found `=`\nhelp: write `energy name = …`";
     item force_without_any_name: "force «=» { on crank: 5Nm; };" => "expected the name of the force, found `=`\nhelp: write `force name = …`";
     item freedom_without_any_name: "freedom «=» crank.angle;" => "expected the name of the freedom, found `=`\nhelp: write `freedom name = …`";
-    item function_without_argument: "function f «=» 3mm;" => "expected `(argument: Dimension)`, found `=`\nhelp: write `function name(x: Angle) -> Length = …;`; what has no argument is a `let`";
-    item force_before_its_point: "force pull = «(0N, -5N)» at crank.A;" => "a force stands behind its point, a torque behind its body\nhelp: write `force pull = { at crank.A: (0N, -5N); }`";
-    item torque_before_its_body: "force pull = «5Nm» on crank;" => "a force stands behind its point, a torque behind its body\nhelp: write `force pull = { on crank: 5Nm; }`";
+    item function_without_argument: "function f «=» 3mm;" => "expected `(argument: Dimension)`, found `=`\nhelp: write `function name(x: Angle) -> Length = …;`, or `let name = …;` for a value without an argument";
+    item force_before_its_point: "force pull = «(0N, -5N)» at crank.A;" => "a force stands after its point, a torque after its body\nhelp: write `force pull = { at crank.A: (0N, -5N); }`";
+    item torque_before_its_body: "force pull = «5Nm» on crank;" => "a force stands after its point, a torque after its body\nhelp: write `force pull = { on crank: 5Nm; }`";
     item output_with_velocity: "output b = crank.A with «velocity»;" => "expected `jerk` after `with`, found `velocity`\nhelp: an output has its rate and its acceleration already: write it without `with`";
     item choice_with_then: "output b = if length < 1 «then» 1 else 2;" => "expected `{ value }`, found `then`\nhelp: write `if a < b { x } else { y }`";
+    item function_in_braces: "function f(x: Angle) -> Length «{» 2mm * x }" => "expected `=`, found `{`\nhelp: a value stands behind `=`, without braces";
+    item output_with_jerks: "output b = crank.A with «jerks»;" => "expected `jerk` after `with`, found `jerks`\nhelp: did you mean `jerk`?";
+    item parameter_without_dimension: "param a«;»" => "expected `:` and a dimension such as `Length`, found `;`\nhelp: write the dimension behind the name, as in `name: Length = …;`";
 }
 
 /// Deeper than realistic, but not deep enough to exhaust the stack.

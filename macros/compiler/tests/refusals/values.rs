@@ -102,6 +102,9 @@ crate::refusals! {
     item drive_of_a_hinge: "drive b = drive_angle(«hinge», 2rad);" => "`b` of `drive_angle` takes a body, found a `revolute` joint\nhelp: write `crank`";
     item angle_of_a_slide: "drive b = drive_angle(«slide», 2rad);" => "`b` of `drive_angle` takes a body, found a `translational` joint\nhelp: write `drive_along(slide, law)`";
     item angle_for_a_body: "drive b = drive_angle(«crank.angle», 2rad);" => "`b` of `drive_angle` takes a body, found a number\nhelp: write `crank`";
+    item drive_of_a_hinge_between_bodies: "body rod { } joint pin = revolute(crank.A, rod.position); drive b = drive_angle(«pin», 2rad);" => "`b` of `drive_angle` takes a body, found a `revolute` joint\nhelp: write `drive_relative_angle(crank, rod, …)`";
+    item program_that_lacks_a_quotient: "output b = segments(crank.angle, 40mm, [rise(12mm, 360deg / 7, cycloidal), dwell(4 * 360deg / 7), fall(12mm, «360deg / 7», cycloidal)], periodic);" => "a periodic program fills one turn, and these segments fill 308.571429°, 51.428571° less";
+    item coordinate_for_an_axis_in_the_plane: "joint a = translational(«crank.x», ground.C, ram.B);" => "`u` of `translational` takes an axis, found a number\nhelp: write `(1, 0)` for the direction of x";
 }
 
 /// Numbers with more digits than can be stored exactly keep their significant digits.

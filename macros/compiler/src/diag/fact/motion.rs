@@ -30,6 +30,7 @@ pub enum MotionFact {
     PlaceWithoutAt { place: String },
     StartWithEquals { value: String, start: String },
     FreedomWithoutName { value: String },
+    DriveWithoutName { value: String },
     GravityWithoutDirection { value: String, ambient: Ambient },
     InertiaOfNumbers { found: usize, first: String },
     InertiaAlongInPlane { inertia: String },

@@ -1,7 +1,7 @@
 //! Messages about arguments.
 
 use super::words::{did_you_mean, listed, plural, range_of};
-use crate::diag::{ArityFact, Kind, remedy};
+use crate::diag::{ArityFact, Kind, MeantFor, remedy};
 use std::fmt::{Display, Formatter, Result};
 
 impl Display for ArityFact {
@@ -10,18 +10,21 @@ impl Display for ArityFact {
             ArityFact::TooManyArguments { definition, signature, takes, found } => {
                 write!(f, "`{definition}` takes {}, found {found}\nnote: `{signature}`", range_of(takes, "argument"))
             }
-            ArityFact::MissingArguments { definition, signature, takes, found, missing, is_of_joint } => {
+            ArityFact::MissingArguments { definition, signature, takes, found, missing, meant } => {
                 let missing_ones = listed(missing.iter().map(String::as_str));
                 let verb = if missing.len() == 1 { "is" } else { "are" };
                 write!(f, "`{definition}` takes {}, found {found}: {missing_ones} {verb} missing", range_of(takes, "argument"))?;
-                if definition == "constant_force" {
-                    write!(f, "\nhelp: a force with given components is written `force name = {{ at P: (0N, -5N); }}`")?;
-                }
-                if let (true, Some(turning)) = (*is_of_joint, remedy::about_an_axis(definition, &Kind::Axis)) {
-                    write!(f, "\nhelp: about a hinge acts `{turning}` instead")?;
-                } else if *is_of_joint && missing.len() == 1 {
-                    let ends = if signature.contains("Axis") { "axes" } else { "bodies" };
-                    write!(f, "\nhelp: for a joint, write its two {ends} instead of its name")?;
+                let ends = ["Axis", "Body", "Point"].into_iter().find(|kind| signature.contains(&format!(": {kind}")));
+                match (meant, remedy::about_an_axis(definition, &Kind::Axis), ends) {
+                    (MeantFor::Components(clause), ..) => {
+                        write!(f, "\nhelp: a force with given components is written `force name = {{ {clause}; }}`")?;
+                    }
+                    (MeantFor::Hinge, Some(turning), _) => write!(f, "\nhelp: `{turning}` acts about a hinge")?,
+                    (MeantFor::Hinge | MeantFor::Joint, _, Some(kind)) if missing.len() == 1 => {
+                        let ends = ["axes", "bodies", "points"][usize::from(kind != "Axis") + usize::from(kind == "Point")];
+                        write!(f, "\nhelp: for a joint, write its two {ends} instead of its name")?;
+                    }
+                    _ => {}
                 }
                 write!(f, "\nnote: `{signature}`")
             }

@@ -1,6 +1,6 @@
 //! Messages about tokens that are not a valid declaration.
 
-use super::words::{did_you_mean, is_power, listed, shortened};
+use super::words::{did_you_mean, is_acceleration, is_power, is_rate, listed, shortened};
 use crate::diag::{GrammarFact, Home};
 use std::fmt::{Display, Formatter, Result};
 
@@ -60,22 +60,27 @@ impl Display for GrammarFact {
                     ("the name of the joint", "`=`") => write!(f, "\nhelp: write `joint name = …`"),
                     ("the name of the drive", "`=`") => write!(f, "\nhelp: write `drive name = …`"),
                     ("`(` and the arguments", "`{`") => write!(f, "\nhelp: arguments stand in parentheses"),
-                    ("`=`", "`{`") => write!(f, "\nhelp: write `=` between the name and the braces"),
-                    ("`=`", "`(`") => write!(f, "\nhelp: a value stands behind `=`, as in `name = (…);`"),
+                    ("`=`", "`{`") => write!(f, "\nhelp: a value stands behind `=`, without braces"),
+                    ("`=`", "`(`") => {
+                        write!(f, "\nhelp: write `point P = (…);` for a point, `function f(x: Angle) -> Length = …;` for a function")
+                    }
                     ("the name of the energy", "`=`") => write!(f, "\nhelp: write `energy name = …`"),
                     ("the name of the force", "`=`") => write!(f, "\nhelp: write `force name = …`"),
                     ("the name of the freedom", "`=`") => write!(f, "\nhelp: write `freedom name = …`"),
                     ("a value of a joint, such as `hinge.angle`", "`{`") => {
-                        write!(
-                            f,
-                            "\nhelp: a body has its `start angle = …;` inside its own braces; that of a joint is `start hinge.angle = …;`"
-                        )
+                        write!(f, "\nhelp: write `start angle = …;` in the body, or `start hinge.angle = …;` for a joint in space")
                     }
                     ("`(argument: Dimension)`", _) => {
-                        write!(f, "\nhelp: write `function name(x: Angle) -> Length = …;`; what has no argument is a `let`")
+                        write!(
+                            f,
+                            "\nhelp: write `function name(x: Angle) -> Length = …;`, or `let name = …;` for a value without an argument"
+                        )
                     }
-                    ("`jerk` after `with`", _) => {
+                    ("`jerk` after `with`", found) if is_rate(found.trim_matches('`')) || is_acceleration(found.trim_matches('`')) => {
                         write!(f, "\nhelp: an output has its rate and its acceleration already: write it without `with`")
+                    }
+                    ("`jerk` after `with`", found) => {
+                        write!(f, "{}", did_you_mean(&crate::diag::nearest(found.trim_matches('`'), ["jerk"].into_iter())))
                     }
                     ("`{ value }`", "`then`") => write!(f, "\nhelp: write `if a < b {{ x }} else {{ y }}`"),
                     ("`=`", "`:`") => {
@@ -84,11 +89,8 @@ impl Display for GrammarFact {
                     ("`{` and the points of the body", _) => {
                         write!(f, "\nhelp: write `body name {{ … }}`, a name is one word; a body without points is `body name {{}}`")
                     }
-                    ("`:` and a dimension such as `Length`", "`=`") => {
+                    ("`:` and a dimension such as `Length`", "`=`" | "`;`") => {
                         write!(f, "\nhelp: write the dimension behind the name, as in `name: Length = …;`")
-                    }
-                    ("`:` and a dimension such as `Length`", "`;`") => {
-                        write!(f, "\nhelp: write the dimension behind the name, as in `name: Angle`")
                     }
                     ("`=` and the default of the parameter", _) => {
                         write!(f, "\nhelp: each parameter has a default, as in `param name: Length = 50mm;`")
@@ -193,7 +195,7 @@ impl Display for GrammarFact {
                 )
             }
             GrammarFact::ForceBeforePlace { name, clause } => {
-                write!(f, "a force stands behind its point, a torque behind its body\nhelp: write `force {name} = {{ {clause}; }}`")
+                write!(f, "a force stands after its point, a torque after its body\nhelp: write `force {name} = {{ {clause}; }}`")
             }
             GrammarFact::ComparisonOutside => {
                 write!(f, "a comparison is no value\nhelp: write `if a < b {{ x }} else {{ y }}` for a choice")
@@ -246,7 +248,7 @@ impl Display for GrammarFact {
             GrammarFact::DoubleStar => write!(f, "`**` is no operator\nhelp: a power is written `a^b`"),
             GrammarFact::MethodCall { name } if is_power(name) => write!(f, "there are no methods here\nhelp: a power is written `a^b`"),
             GrammarFact::MethodCall { name } if PROPERTIES.contains(&name.as_str()) => {
-                write!(f, "`{name}` is a value, not a method\nhelp: write `.{name}`, without parentheses; it is that of the state at t")
+                write!(f, "`{name}` is a value, not a method\nhelp: write `.{name}` without parentheses: it is its value at t")
             }
             GrammarFact::MethodCall { name } => write!(f, "there are no methods here\nhelp: write `{name}(value)` for `value.{name}()`"),
             GrammarFact::SpaceBeforeUnit { number, suffix, unit } => {

@@ -31,6 +31,9 @@ impl Display for MotionFact {
             MotionFact::FreedomWithoutName { value } => {
                 write!(f, "a freedom has a name of its own\nhelp: write `freedom name = {value};`")
             }
+            MotionFact::DriveWithoutName { value } => {
+                write!(f, "a drive has a name of its own\nhelp: write `drive name = {{ {value} == …; }}`")
+            }
             MotionFact::GravityWithoutDirection { value, ambient } => {
                 let value = value.trim_start_matches('-');
                 write!(f, "gravity is a vector, the acceleration of free fall, found a number\nhelp: write ")?;

@@ -34,7 +34,7 @@ impl Display for NameFact {
             NameFact::UnknownName { name, near: None, .. } if name == "z" => {
                 write!(f, "nothing is called `z` here\nhelp: write `(0, 0, 1)` for the direction of z")
             }
-            NameFact::UnknownName { name, .. } if name == "loads" => {
+            NameFact::UnknownName { name, near: None, .. } if name == "loads" => {
                 write!(
                     f,
                     "nothing is called `loads` here\nnote: loads are computed for a state, in Rust\nhelp: write `mechanism.loads(&state)` there"
@@ -51,7 +51,10 @@ impl Display for NameFact {
                 write!(f, "{owner} has no `{name}`\nhelp: write `rate(…)` of a point or of a number, as in `rate(body.position)`")
             }
             NameFact::UnknownField { owner, name, near: None, .. } if is_acceleration(name) => {
-                write!(f, "{owner} has no `{name}`\nhelp: an output is given with its rate and its acceleration: write the value alone")
+                write!(
+                    f,
+                    "{owner} has no `{name}`\nhelp: an output is given with its rate and its acceleration; equations and forces contain none"
+                )
             }
             NameFact::UnknownField { owner, name, near: None, .. } if is_load(name) => {
                 write!(f, "{owner} has no `{name}`\nnote: loads are computed for a state, in Rust")?;

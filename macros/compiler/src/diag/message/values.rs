@@ -228,7 +228,10 @@ impl Display for ValueFact {
                 let side = if *found > TAU { "more" } else { "less" };
                 let [sum, off] = [*found, (found - TAU).abs()].map(|angle| about(angle, Dim::ANGLE));
                 write!(f, "a periodic program fills one turn, and these segments fill {sum}, {off} {side}")?;
-                if *found < TAU { write!(f, "\nhelp: add `dwell({}deg)`", sixth_decimal((TAU - found).to_degrees())) } else { Ok(()) }
+                // With more decimals it may be a quotient such as 360°/7.
+                let lacks = (TAU - found).to_degrees();
+                let rounded = sixth_decimal(lacks);
+                if rounded > 0.0 && (rounded - lacks).abs() < 1e-9 { write!(f, "\nhelp: add `dwell({rounded}deg)`") } else { Ok(()) }
             }
             ValueFact::SegmentsDoNotReturn { off, dim } => {
                 let side = if *off > 0.0 { "above" } else { "below" };

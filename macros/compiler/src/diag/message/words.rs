@@ -103,11 +103,11 @@ pub(super) fn bodies(coordinates: &[String]) -> Vec<String> {
     bodies
 }
 
-/// The point that may be meant in the place of another.
+/// A point that may be meant in the place of another.
 pub(super) fn meant(f: &mut Formatter, neglected: &Option<Box<Neglected>>) -> Result {
     let Some(neglected) = neglected else { return Ok(()) };
     let Neglected { point, taken, joints } = &**neglected;
-    write!(f, "\nhelp: `{taken}` is a point of {}, and `{point}` one of no joint: write `{point}` where it is meant", list(joints))
+    write!(f, "\nhelp: {} take `{taken}`, and nothing takes `{point}`: is it meant in one of them?", list(joints))
 }
 
 /// `that`, or `one of them`

@@ -1,0 +1,52 @@
+//! A point that may be meant in the place of another, where joints contradict each other.
+
+use super::Model;
+use super::sketch::{Instantiation, JointArgument, LocalVector, NamedPoint};
+use crate::diag::Neglected;
+use crate::expr::Expr;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Joints that keep two points together: rarely have two of them a point in common.
+const PINS: [&str; 4] = ["revolute", "spherical", "universal", "constant_velocity"];
+
+/// A point by its body and its components.
+type Place = (Option<usize>, Vec<Expr>);
+
+impl Model {
+    /// A point that nothing uses, of a body or of ground of which two of these joints keep another point.
+    ///
+    /// Nothing is said where equations that are written out, or forces, may use points.
+    pub(crate) fn neglected(&self, joints: impl Iterator<Item = usize>) -> Option<Box<Neglected>> {
+        let sketch = &self.sketch;
+        let is_written_out = |(joint, made): (&super::Joint, &Instantiation)| joint.freedom.is_none() && made.arguments.is_empty();
+        if !self.forces.is_empty() || self.joints.iter().zip(&sketch.joints).any(is_written_out) {
+            return None;
+        }
+        let mut pins_at: BTreeMap<Place, Vec<usize>> = BTreeMap::new();
+        for joint in joints {
+            let made = sketch.joints.get(joint).filter(|made| PINS.contains(&made.kind.as_str()));
+            for place in made.into_iter().flat_map(places) {
+                pins_at.entry(place).or_default().push(joint);
+            }
+        }
+        let of_joints = sketch.joints.iter().flat_map(places);
+        let used: BTreeSet<Place> = of_joints.chain(sketch.outputs.iter().map(|output| place(&output.at))).collect();
+        let written = |point: &NamedPoint| format!("{}.{}", self.drawn_name(point.at.body), point.name);
+        sketch.points.iter().filter(|point| !used.contains(&place(&point.at))).find_map(|point| {
+            let pins_of = |other: &NamedPoint| pins_at.get(&place(&other.at)).filter(|pins| pins.len() > 1);
+            let mut others = sketch.points.iter().filter(|other| other.at.body == point.at.body);
+            let (taken, pins) = others.find_map(|other| Some((other, pins_of(other)?)))?;
+            let joints = pins.iter().map(|joint| self.joints[*joint].name.to_string()).collect();
+            Some(Box::new(Neglected { point: written(point), taken: written(taken), joints }))
+        })
+    }
+}
+
+fn place(at: &LocalVector) -> Place {
+    (at.body, at.local.iter().copied().collect())
+}
+
+/// The points of a joint.
+fn places(made: &Instantiation) -> BTreeSet<Place> {
+    made.arguments.iter().filter_map(|(_, argument)| if let JointArgument::Point(at) = argument { Some(place(at)) } else { None }).collect()
+}
