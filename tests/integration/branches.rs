@@ -150,13 +150,15 @@ mechanism! {
     }
 }
 
-/// With the new length the rocker is 15 degrees away. The output is no unknown, whatever its unit.
+/// With the new length the rocker is 15 degrees away from the given state. The output is no unknown, whatever its unit.
 #[test]
-fn a_slice_that_would_lose_its_branch_names_the_unknown_that_would_jump() {
+fn a_slice_from_a_state_too_far_names_the_unknown_that_would_jump() {
     let rocking = Rocking::default();
     let (mut whole, mut slice) = (rocking.solve(0.1).unwrap(), rocking.solve_for_swing().solve(0.1).unwrap());
     let shorter = Rocking { coupler: 0.28 };
-    let failure = shorter.solve_for_swing().advance(&mut slice, 0.1).unwrap_err().to_string();
+    let failure = shorter.solve_for_swing().advance(&mut slice, 0.1).unwrap_err();
+    assert!(matches!(failure.cause, Cause::StateTooFar { .. }) && failure.last.is_none(), "{failure}");
+    let failure = failure.to_string();
     assert_eq!(failure, shorter.advance(&mut whole, 0.1).unwrap_err().to_string());
     let there = shorter.solve(0.1).unwrap();
     let turned = [there.rod().angle - whole.rod().angle, there.rocker().angle - whole.rocker().angle].map(f64::to_degrees);

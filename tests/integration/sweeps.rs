@@ -2,7 +2,7 @@
 
 use std::sync::Mutex;
 
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use reuleaux::parallel::rayon::iter::{IntoParallelIterator, ParallelIterator};
 use reuleaux::parallel::{Progress, each};
 use reuleaux::{Cause, Failure, State};
 use reuleaux_tests::mechanisms::FourBarCrankRocker;
@@ -47,7 +47,9 @@ fn mechanisms_may_be_made_when_their_turn_comes() {
     let made = (0..100_u32).into_par_iter().map(|step| 0.05 + 0.0001 * f64::from(step));
     let made = made.map(|crank_length| FourBarCrankRocker { crank_length, ..Default::default() });
     let found = each(made, |crank| crank.solve(0.3).map(|state| (crank.crank_length, state.rocker().angle)).ok(), |_| ());
+    assert_eq!(found.len(), 100);
     for (step, found) in (0..100_u32).zip(found) {
+        assert!(found.is_some());
         let crank = FourBarCrankRocker { crank_length: 0.05 + 0.0001 * f64::from(step), ..Default::default() };
         assert_eq!(found, crank.solve(0.3).ok().map(|state| (crank.crank_length, state.rocker().angle)));
     }

@@ -1,18 +1,20 @@
 //! Studies of many mechanisms on all processors (feature `rayon`).
 //!
-//! In: parameter sets, and what is computed for each. Out: the results, in the order of the parameter sets. Each is computed on one thread from
-//! beginning to end, so that its numbers are those of it alone.
+//! In: mechanisms, and a function of one of them. Out: its results, in the order of the mechanisms. Each is computed on one thread from beginning to
+//! end, so that its numbers are those of a program that computes it alone.
 
 use core::sync::atomic::{AtomicUsize, Ordering};
 use std::vec::Vec;
 
+#[doc(no_inline)]
+pub use rayon;
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 
-/// The number of completed mechanisms.
+/// The number of mechanisms that are done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Progress {
-    /// Completed mechanisms, including this one.
+    /// Mechanisms that are done, including this one.
     pub done: usize,
     /// All mechanisms.
     pub of: usize,
@@ -20,7 +22,7 @@ pub struct Progress {
 
 /// Calls `study` for each mechanism and collects its results, in the order of `mechanisms`.
 ///
-/// * `mechanisms`: given, a list, or what rayon takes in its place: `(0..n).into_par_iter().map(…)` makes each mechanism when its turn comes.
+/// * `mechanisms`: given, a list, or what [`rayon`] takes in its place: `(0..n).into_par_iter().map(…)` makes each mechanism when its turn comes.
 /// * `study`: given, called once for each mechanism, on any thread. Only its result is kept, so that a sweep of a million times may leave a single
 ///   number.
 /// * `progress`: given, called after each mechanism on its thread, possibly several times at once; each value of `done` from 1 to `of` occurs once.
@@ -58,7 +60,7 @@ pub struct Progress {
 /// assert!(peaks.windows(2).all(|pair| pair[0] > pair[1]));
 /// # Ok::<(), EngineFailure>(())
 /// ```
-pub fn each<P, R>(mechanisms: P, study: impl Fn(P::Item) -> R + Send + Sync, progress: impl Fn(Progress) + Send + Sync) -> Vec<R>
+pub fn each<P, R>(mechanisms: P, study: impl Fn(P::Item) -> R + Sync, progress: impl Fn(Progress) + Sync) -> Vec<R>
 where
     P: IntoParallelIterator<Iter: IndexedParallelIterator>,
     R: Send,

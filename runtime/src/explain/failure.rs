@@ -124,8 +124,8 @@ impl<T: Float> Cause<T> {
             ),
             Cause::StateTooFar { coordinate, jump } => write!(
                 f,
-                "`{name}` has no state at t = {t} s near the given one, from which {coordinate} would jump by {}: that was solved with other \
-                 parameters, or changed; solve anew, or change parameters in smaller steps",
+                "`{name}` has no state at t = {t} s near the given one, from which {coordinate} would jump by {}: the given state was \
+                 solved with other parameters, or was changed; solve anew, or change parameters in smaller steps",
                 Measure(jump.to_f64(), coordinate.kind.unit())
             ),
             Cause::NoConvergence { correction, iterations } => write!(

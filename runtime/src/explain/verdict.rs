@@ -31,14 +31,15 @@ pub(crate) fn of_continuation<T: Float, const N: usize>(
         Ended::Lost { error, here, next, is_solved } => {
             let ended = || (end_of_branch(mechanism, next, (&here, is_solved), error), next);
             let (cause, time) = diverging(mechanism, &here, next).unwrap_or_else(ended);
-            (cause, if is_solved { time } else { t }, here)
+            (cause, if let Cause::StateTooFar { .. } = cause { t } else { time }, here)
         }
         Ended::TooManySteps { steps, here } => {
             let (cause, time) = diverging(mechanism, &here, t).unwrap_or((Cause::TooManySteps { steps }, t));
             (cause, time, here)
         }
     };
-    Failure { mechanism: mechanism.name, cause, time, end: None, last: Some(last) }
+    let last = if let Cause::StateTooFar { .. } = cause { None } else { Some(last) };
+    Failure { mechanism: mechanism.name, cause, time, end: None, last }
 }
 
 /// Why the branch could not be followed from `here`, which may be no solution, to `next`.

@@ -137,7 +137,9 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
                 return Ok(Arrival::Step);
             }
             Ok((there, _)) => {
-                (here, is_solved) = (there, true);
+                // One by one, since a tuple would be one more state on the stack.
+                here = there;
+                is_solved = true;
                 step = step + step;
                 if here.condition <= greater(largest_condition(CLEAR), T::of(LEAST_CLEAR)) {
                     waypoint = here.clone();
@@ -156,7 +158,8 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
             }
             (Some(beyond), _) => {
                 step = t - beyond.t;
-                (here, waypoint, is_solved) = (beyond.clone(), beyond, true);
+                (here, waypoint) = (beyond.clone(), beyond);
+                is_solved = true;
             }
             (None, Ok(cause)) => return Err(Ended::Refused(cause)),
             (None, Err(error)) => return Err(Ended::Lost { error, here, next, is_solved }),
