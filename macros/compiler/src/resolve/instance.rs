@@ -197,8 +197,11 @@ impl Elaborator<'_> {
         }
         let missing = wanted.iter().zip(&slots).filter(|(formal, slot)| slot.is_none() && formal.default.is_none());
         let missing: Vec<String> = missing.map(|(formal, _)| formal.name.to_string()).collect();
+        if missing.is_empty() {
+            return Some(slots);
+        }
         let meant = self.meant_by(definition, given);
-        if missing.is_empty() { Some(slots) } else { self.refuse(kind, too_few(definition, given.len(), missing, meant)) }
+        self.refuse(kind, too_few(definition, given.len(), missing, meant))
     }
 
     /// What arguments that are too few may be meant for.
