@@ -49,7 +49,7 @@ pub struct Progress {
 ///
 /// /// The largest acceleration of the piston in a turn, or why there is none.
 /// fn peak(engine: &Engine) -> Result<f64, EngineFailure> {
-///     let accelerations = engine.sweep((0..600).map(|step| f64::from(step) / 500.0)).map(|state| Ok(state?.piston().acceleration.x));
+///     let mut accelerations = engine.sweep((0..600).map(|step| f64::from(step) / 500.0)).map(|state| Ok(state?.piston().acceleration.x));
 ///     accelerations.try_fold(0.0_f64, |peak, next| next.map(|next: f64| peak.max(next.abs())))
 /// }
 ///
