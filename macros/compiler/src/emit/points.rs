@@ -12,6 +12,9 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::{BTreeMap, BTreeSet};
 
+/// A point, or an axis, of an array, with its indices.
+type Member<'a> = (Vec<usize>, &'a NamedPoint, bool);
+
 /// The name of the generated struct.
 pub(crate) fn type_name(mechanism: &Ident) -> Ident {
     format_ident!("{}Points", mechanism, span = Span::call_site())
@@ -63,7 +66,7 @@ impl Emitter<'_> {
     /// taken has none.
     fn arrays_of_marks(&self, marks: &[(&NamedPoint, bool)]) -> Vec<TokenStream> {
         let mut taken: BTreeSet<String> = marks.iter().map(|(mark, _)| word(&self.path_of(mark))).collect();
-        let mut arrays: BTreeMap<String, Vec<(Vec<usize>, &NamedPoint, bool)>> = BTreeMap::new();
+        let mut arrays: BTreeMap<String, Vec<Member>> = BTreeMap::new();
         for (mark, is_axis) in marks {
             let (plain, indices) = without_indices(&self.path_of(mark));
             if !indices.is_empty() {
@@ -74,7 +77,7 @@ impl Emitter<'_> {
         arrays.filter_map(|(plain, members)| self.array_of_marks(&plain, members)).collect()
     }
 
-    fn array_of_marks(&self, plain: &str, mut members: Vec<(Vec<usize>, &NamedPoint, bool)>) -> Option<TokenStream> {
+    fn array_of_marks(&self, plain: &str, mut members: Vec<Member>) -> Option<TokenStream> {
         members.sort_by(|(one, ..), (other, ..)| one.cmp(other));
         let (last, mark, is_axis) = members.last()?;
         let sizes: Vec<usize> = last.iter().map(|index| index + 1).collect();
@@ -87,7 +90,7 @@ impl Emitter<'_> {
             Ambient::Space => quote!(Vector3),
         };
         let kind = array_type(quote!(::reuleaux::Motion<::reuleaux::nalgebra::#vector<T>>), &sizes);
-        let single = |(_, mark, _): &(Vec<usize>, &NamedPoint, bool)| {
+        let single = |(_, mark, _): &Member| {
             let name = identifier(&word(&self.path_of(mark)));
             quote!(self.#name())
         };
