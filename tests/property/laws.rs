@@ -216,7 +216,7 @@ fn peaks_are_those_of_handbooks() {
             assert!((peak - factors[order - 1]).abs() <= 5.1e-4, "{name} order {order}: {peak}");
         }
     }
-    // Peak jerk, in print without decimals, from the growth of the acceleration.
+    // Peak jerk from the growth of the acceleration. Norton prints it without decimals; 4π² = 39.48 as 40.
     for (name, printed) in
         [("cycloidal", 40.0), ("polynomial_345", 60.0), ("polynomial_4567", 52.0), ("modified_trapezoidal", 61.0), ("modified_sine", 69.0)]
     {

@@ -137,7 +137,7 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
                 return Ok(Arrival::Step);
             }
             Ok((there, _)) => {
-                // One by one, since a tuple would be one more state on the stack.
+                // Two statements: without optimisation a tuple puts one more state on the stack.
                 here = there;
                 is_solved = true;
                 step = step + step;

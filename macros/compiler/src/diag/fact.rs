@@ -163,7 +163,7 @@ pub enum NameFact {
     Recursion { name: String },
 }
 
-/// What arguments that are too few may be meant for.
+/// What the user may mean by too few arguments.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum MeantFor {
     /// Nothing else.

@@ -6,16 +6,16 @@ use crate::diag::Neglected;
 use crate::expr::Expr;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Joints that keep two points together: rarely have two of them a point in common.
+/// Joints that keep two points together. Two of them rarely share a point.
 const PINS: [&str; 4] = ["revolute", "spherical", "universal", "constant_velocity"];
 
 /// A point by its body and its components.
 type Place = (Option<usize>, Vec<Expr>);
 
 impl Model {
-    /// A point that nothing uses, of a body or of ground of which two of these joints keep another point.
+    /// A point of a body or of ground that nothing uses, while two of these joints share another point of it.
     ///
-    /// Nothing is said where equations that are written out, or forces, may use points.
+    /// `None` where equations that are written out, or forces, may use points.
     pub(crate) fn neglected(&self, joints: impl Iterator<Item = usize>) -> Option<Box<Neglected>> {
         let sketch = &self.sketch;
         let is_written_out = |(joint, made): (&super::Joint, &Instantiation)| joint.freedom.is_none() && made.arguments.is_empty();

@@ -204,7 +204,7 @@ impl Elaborator<'_> {
         self.refuse(kind, too_few(definition, given.len(), missing, meant))
     }
 
-    /// What arguments that are too few may be meant for.
+    /// What the user may mean by too few arguments.
     fn meant_by(&self, definition: &Definition, given: &[Argument]) -> MeantFor {
         let name = definition.name.to_string();
         let components = given.iter().find(|argument| matches!(argument.value.kind, ast::ExpressionKind::Tuple(_)));

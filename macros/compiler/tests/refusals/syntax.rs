@@ -102,7 +102,7 @@ crate::refusals! {
     item drive_of_an_angle: "drive «crank.angle» = 1rad_s * t;" => "a drive has a name of its own\nhelp: write `drive name = { crank.angle == …; }`";
     item drive_of_a_place: "drive «ram.B.x» = 1m_s * t;" => "a drive has a name of its own\nhelp: write `drive name = { ram.B.x == …; }`";
     item choice_as_in_c: "drive d = drive_angle(crank, t «<» 1s ? 1rad : 2rad);" => "a comparison is no value\nhelp: write `if a < b { x } else { y }` for a choice";
-    item angle_at_a_time: "output b = crank.«angle»(t);" => "`angle` is a value, not a method\nhelp: write `.angle` without parentheses: it is its value at t";
+    item angle_at_a_time: "output b = crank.«angle»(t);" => "`angle` is a value, not a method\nhelp: write `.angle` without parentheses, for its value at t";
     item energy_without_a_name: "energy «=» 3;" => "expected the name of the energy, found `=`\nhelp: write `energy name = …`";
     item force_without_any_name: "force «=» { on crank: 5Nm; };" => "expected the name of the force, found `=`\nhelp: write `force name = …`";
     item freedom_without_any_name: "freedom «=» crank.angle;" => "expected the name of the freedom, found `=`\nhelp: write `freedom name = …`";

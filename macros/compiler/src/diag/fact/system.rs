@@ -202,14 +202,14 @@ pub struct Forgotten {
     pub holds: Vec<String>,
 }
 
-/// A point in no joint, of a body or of ground of which another point is in several.
+/// A point that no joint takes, beside another one of the same body that several joints take.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Neglected {
     /// The point, as `coupler.B`.
     pub point: String,
     /// The other one.
     pub taken: String,
-    /// The joints of the other one.
+    /// The joints that take the other one.
     pub joints: Vec<String>,
 }
 

@@ -248,7 +248,7 @@ impl Display for GrammarFact {
             GrammarFact::DoubleStar => write!(f, "`**` is no operator\nhelp: a power is written `a^b`"),
             GrammarFact::MethodCall { name } if is_power(name) => write!(f, "there are no methods here\nhelp: a power is written `a^b`"),
             GrammarFact::MethodCall { name } if PROPERTIES.contains(&name.as_str()) => {
-                write!(f, "`{name}` is a value, not a method\nhelp: write `.{name}` without parentheses: it is its value at t")
+                write!(f, "`{name}` is a value, not a method\nhelp: write `.{name}` without parentheses, for its value at t")
             }
             GrammarFact::MethodCall { name } => write!(f, "there are no methods here\nhelp: write `{name}(value)` for `value.{name}()`"),
             GrammarFact::SpaceBeforeUnit { number, suffix, unit } => {
