@@ -1,7 +1,7 @@
 //! A point that may be meant in the place of another, where joints contradict each other.
 
 use super::Model;
-use super::sketch::{Instantiation, JointArgument, LocalVector, NamedPoint};
+use super::sketch::{Instantiation, JointArgument, LocalVector, Sketch};
 use crate::diag::Neglected;
 use crate::expr::Expr;
 use std::collections::{BTreeMap, BTreeSet};
@@ -31,14 +31,22 @@ impl Model {
         }
         let of_joints = sketch.joints.iter().flat_map(places);
         let used: BTreeSet<Place> = of_joints.chain(sketch.outputs.iter().map(|output| place(&output.at))).collect();
-        let written = |point: &NamedPoint| format!("{}.{}", self.drawn_name(point.at.body), point.name);
         sketch.points.iter().filter(|point| !used.contains(&place(&point.at))).find_map(|point| {
-            let pins_of = |other: &NamedPoint| pins_at.get(&place(&other.at)).filter(|pins| pins.len() > 1);
-            let mut others = sketch.points.iter().filter(|other| other.at.body == point.at.body);
-            let (taken, pins) = others.find_map(|other| Some((other, pins_of(other)?)))?;
+            let body = point.at.body;
+            let mut shared = pins_at.iter().filter(|((other, _), pins)| *other == body && pins.len() > 1);
+            let (taken, pins) = shared.find_map(|(taken, pins)| Some((self.name_at(taken)?, pins)))?;
+            let written = |name: &str| format!("{}.{name}", self.drawn_name(body));
             let joints = pins.iter().map(|joint| self.joints[*joint].name.to_string()).collect();
-            Some(Box::new(Neglected { point: written(point), taken: written(taken), joints }))
+            Some(Box::new(Neglected { point: written(&point.name), taken: written(taken), joints }))
         })
+    }
+
+    /// The name of a declared point, or of the origin of a body.
+    fn name_at(&self, taken: &Place) -> Option<&str> {
+        let Sketch { arena, points, .. } = &self.sketch;
+        let is_zero = |part: &Expr| arena.as_constant(*part).is_some_and(|value| value.is_zero());
+        let declared = points.iter().find(|point| place(&point.at) == *taken);
+        declared.map(|point| point.name.as_str()).or_else(|| taken.1.iter().all(is_zero).then_some("position"))
     }
 }
 

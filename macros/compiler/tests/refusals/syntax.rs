@@ -114,6 +114,7 @@ crate::refusals! {
     item function_in_braces: "function f(x: Angle) -> Length «{» 2mm * x }" => "expected `=`, found `{`\nhelp: a value stands behind `=`, without braces";
     item output_with_jerks: "output b = crank.A with «jerks»;" => "expected `jerk` after `with`, found `jerks`\nhelp: did you mean `jerk`?";
     item parameter_without_dimension: "param a«;»" => "expected `:` and a dimension such as `Length`, found `;`\nhelp: write the dimension behind the name, as in `name: Length = …;`";
+    item start_of_a_body_in_braces: "body b { start «{» angle = 10deg; } }" => "expected `x`, `y`, `angle` or `position`, found `{`\nhelp: say of which coordinate, as in `start x = 200mm;` or `start position = (200mm, 0mm);`";
 }
 
 /// Deeper than realistic, but not deep enough to exhaust the stack.

@@ -95,7 +95,7 @@ impl Display for GrammarFact {
                     ("`=` and the default of the parameter", _) => {
                         write!(f, "\nhelp: each parameter has a default, as in `param name: Length = 50mm;`")
                     }
-                    ("`x`, `y`, `angle` or `position`", "`=`") => {
+                    ("`x`, `y`, `angle` or `position`", "`=`" | "`{`") => {
                         write!(f, "\nhelp: say of which coordinate, as in `start x = 200mm;` or `start position = (200mm, 0mm);`")
                     }
                     (what, "`-`") if what.starts_with("an item: ") => write!(f, "\nhelp: a comment begins with `//`"),
