@@ -1,10 +1,17 @@
 //! Measured programs are right: contenders go where the exact motion goes, and workloads have the blocks they are there for.
 
+#[path = "../tests/samples.rs"]
+#[allow(unreachable_pub)]
+mod samples;
+
 use crate::workloads::{Workload, name};
 use crate::{exact, times, workloads};
+use samples::samples;
 
 /// Steps that are looked at.
-const STEPS: usize = 50;
+fn steps() -> usize {
+    samples(12, 50)
+}
 
 /// Beyond this many links only generated ones are followed: a dense matrix takes minutes without optimisation.
 const LINKS: usize = 40;
@@ -21,14 +28,14 @@ fn contenders_are_where_the_exact_motion_is() {
 }
 
 fn agree(workload: &Workload) {
-    let times = &times()[..STEPS];
+    let times = &times()[..steps()];
     let exact = exact::motion(&workload.linkage, times);
     for mut entry in (workload.contenders)(&workload.linkage) {
         if workload.linkage.links.len() > LINKS && !entry.name.starts_with(name::GENERATED) {
             continue;
         }
         entry.contender.sweep(times);
-        let (seen, exact) = (entry.contender.seen(), exact[STEPS - 1]);
+        let (seen, exact) = (entry.contender.seen(), exact[times.len() - 1]);
         let distance = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
         // A residual is worth several times as much of a position, and a position dozens of times as much of an acceleration.
         let allowed = 1e-12 + 10.0 * entry.tolerance.unwrap_or(0.0);

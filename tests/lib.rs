@@ -12,6 +12,8 @@ pub mod common {
     pub mod text;
     pub mod twofold;
 }
+mod samples;
+
 pub mod blocks;
 pub mod branches;
 pub mod laws;
@@ -20,3 +22,5 @@ pub mod mechanisms;
 #[allow(non_snake_case)] // Parameters are named after points, which are capitals.
 pub mod stress;
 pub mod units;
+
+pub use samples::samples;

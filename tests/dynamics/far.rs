@@ -1,6 +1,7 @@
 //! Initial states at parameters far from the declared ones.
 
 use reuleaux::{Stopped, mechanism};
+use reuleaux_tests::samples;
 
 /// A four-bar whose crank is released or driven.
 macro_rules! four_bar {
@@ -89,7 +90,7 @@ fn parameters_far_away_keep_the_assembly_of_the_start() {
 fn released_and_driven_mechanisms_start_alike_at_any_parameters() {
     let mut random = fastrand::Rng::with_seed(20);
     let (mut same, mut refused, mut driven_only) = (0, 0, 0);
-    for _ in 0..150 {
+    for _ in 0..samples(30, 150) {
         let turns = [4.0, 20.0, 80.0][random.usize(0..3)];
         let mut within = |low: f64, high: f64| low + (high - low) * random.f64();
         let parameters = [within(-turns, turns), within(0.05, 0.25), within(0.2, 0.5), within(0.15, 0.45), within(0.25, 0.6)];
@@ -105,7 +106,7 @@ fn released_and_driven_mechanisms_start_alike_at_any_parameters() {
         }
     }
     println!("{same} the same, {refused} refused, {driven_only} found by the drive only");
-    assert!(same > 90 && refused > 10 && driven_only < 25, "{same} {refused} {driven_only}");
+    assert!(same > samples(15, 90) && refused >= samples(1, 10) && driven_only < samples(10, 25), "{same} {refused} {driven_only}");
 }
 
 /// The loop opens where coupler and rocker are in line: with the crank at 0.3 rad its tip is 350 + 300 mm from the other pivot.

@@ -1,4 +1,4 @@
-//! Valid models are accepted, and models with one mistake are refused for it: a thousand of each, without rustc.
+//! Valid models are accepted, and models with one mistake are refused for it: a thousand of each in `.ci/run`, without rustc.
 //!
 //! Seeds are fixed, so that a failure is reproducible; it prints the whole declaration.
 
@@ -14,10 +14,11 @@ use model::Model;
 use motion::Verdict;
 use reuleaux_compiler::diag::Refusal;
 use reuleaux_compiler::{Compiled, compile};
+use reuleaux_tests::samples;
 use std::num::NonZero;
 use std::thread;
 
-/// Number of models of each kind.
+/// Seeds of the models with a mistake begin here.
 const MODELS: u64 = 1000;
 
 fn compiled(source: &str) -> Result<Compiled, Vec<Refusal>> {
@@ -41,30 +42,27 @@ fn what_can_be_assembled_is_accepted() {
     let threads = thread::available_parallelism().map_or(1, NonZero::get);
     thread::scope(|scope| {
         for first in 0..threads as u64 {
-            scope.spawn(move || (first..MODELS).step_by(threads).for_each(is_accepted));
+            scope.spawn(move || (first..samples(150, 1000) as u64).step_by(threads).for_each(is_accepted));
         }
     });
 }
-
-/// Number of motions followed.
-const MOTIONS: u64 = 80;
 
 #[test]
 fn motions_end_where_it_is_said_and_nowhere_else() {
     let threads = thread::available_parallelism().map_or(1, NonZero::get) as u64;
     let judged = thread::scope(|scope| {
-        let judge = |first: u64| (first..MOTIONS).step_by(threads as usize).map(motion::judge).collect::<Vec<Verdict>>();
+        let judge = |first: u64| (first..samples(40, 80) as u64).step_by(threads as usize).map(motion::judge).collect::<Vec<Verdict>>();
         let all: Vec<_> = (0..threads).map(|first| scope.spawn(move || judge(first))).collect();
         all.into_iter().flat_map(|judged| judged.join().expect("a motion is as it is said")).collect::<Vec<Verdict>>()
     });
     let count = |verdict: Verdict| judged.iter().filter(|judged| **judged == verdict).count();
     // Only few are too hard to decide.
-    assert!(count(Verdict::GoesOn) > 5 && count(Verdict::Ends) > 20 && count(Verdict::Open) < 20, "{judged:?}");
+    assert!(count(Verdict::GoesOn) > samples(2, 5) && count(Verdict::Ends) > samples(10, 20) && count(Verdict::Open) < 20, "{judged:?}");
 }
 
 #[test]
 fn one_mistake_gives_one_error_that_names_it() {
-    for (seed, kind) in (MODELS..2 * MODELS).zip(KINDS.iter().cycle()) {
+    for (seed, kind) in (MODELS..MODELS + samples(150, 1000) as u64).zip(KINDS.iter().cycle()) {
         let mut rng = Rng::with_seed(seed);
         let mut model: Model = elements::random(&mut rng);
         let guilty = kind.put_into(&mut model, &mut rng);

@@ -9,13 +9,12 @@
 
 use super::{compiled, shown};
 use fastrand::Rng;
+use reuleaux_tests::samples;
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 use std::num::NonZero;
 use std::thread;
 
-/// Number of rings of each size.
-const RINGS: u64 = 6;
 
 /// Smallest length of each of the two chains, in m, and smallest sine of the angle between them.
 const MARGIN: f64 = 0.25;
@@ -102,7 +101,7 @@ impl Ring {
 #[test]
 fn rings_of_any_number_of_bars_are_assembled() {
     let threads = thread::available_parallelism().map_or(1, NonZero::get);
-    let all: Vec<(usize, u64)> = (3..30).flat_map(|bars| (0..RINGS).map(move |seed| (bars, seed))).collect();
+    let all: Vec<(usize, u64)> = (3..30).flat_map(|bars| (0..samples(1, 6) as u64).map(move |seed| (bars, seed))).collect();
     thread::scope(|scope| {
         for first in 0..threads {
             let all = &all;

@@ -10,14 +10,14 @@
 /// ```
 ///
 /// `at P` it pulls towards `Q` where it is longer than `rest`, and pushes where it is shorter. Degenerate case: at length zero the line has
-/// no direction, whatever `rest` is. Where the ends meet, write `at P: k * (Q - P);  at Q: k * (P - Q);` in a force of your own.
+/// no direction, and there is no force; but a spring without `rest`, whose force is `stiffness (r_Q − r_P)`, works at every length.
 ///
 /// Reference: Nikravesh, section 9.4; Haug, section 6.2.
 force spring(P: Point, Q: Point, stiffness: Stiffness, rest: Length = 0mm) {
     require P.body != Q.body: "the two ends of a spring lie on the same body";
     let line = Q - P;
-    let force = stiffness * (norm(line) - rest);
+    let force = stiffness * (1 - rest / norm(line)) * line;
     potential: 0.5 * stiffness * (norm(line) - rest)^2;
-    at P: force * unit(line);
-    at Q: -force * unit(line);
+    at P: force;
+    at Q: -force;
 }

@@ -11,6 +11,9 @@ mod jet;
 mod precise;
 pub(crate) mod random;
 mod show;
+#[path = "../../../../tests/samples.rs"]
+#[allow(unreachable_pub)]
+pub(crate) mod samples;
 mod simplify;
 
 use super::{Arena, Expr, Values};

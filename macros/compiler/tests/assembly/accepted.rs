@@ -1,6 +1,6 @@
 //! Mechanisms that are accepted.
 
-use crate::{Random, accepted, four_bar, refused, start};
+use crate::{Random, accepted, four_bar, refused, samples, start};
 use reuleaux_compiler::diag::{AssemblyFact, Fact};
 
 #[test]
@@ -52,7 +52,7 @@ fn what_depends_on_a_rust_function_is_not_judged() {
 #[test]
 fn random_linkages_that_were_assembled_first_are_accepted() {
     let mut random = Random(0x0123_4567_89ab_cdef);
-    for _ in 0..60 {
+    for _ in 0..samples(20, 60) {
         // Dyads attached to existing points, with their lengths measured there.
         let mut source =
             String::from("#[closure(start)] mechanism Linkage { ground { point O = (0mm, 0mm); } body crank { point A = (100mm, 0mm); } ");

@@ -8,11 +8,15 @@ mod nearest;
 mod orientations;
 mod plates;
 mod range;
+#[path = "../../../../tests/samples.rs"]
+#[allow(unreachable_pub)]
+mod samples;
 mod starts;
 mod turned;
 
 use reuleaux_compiler::Compiled;
 use reuleaux_compiler::diag::Fact;
+use samples::samples;
 
 /// Compiles a mechanism that must be accepted.
 fn accepted(source: &str) -> Compiled {

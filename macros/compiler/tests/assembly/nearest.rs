@@ -3,7 +3,7 @@
 //!
 //! `REULEAUX_NEAREST=1000 cargo test -p reuleaux-compiler --test assembly nearest` tests 1000 linkages of each kind.
 
-use crate::{Random, start};
+use crate::{Random, samples, start};
 use core::f64::consts::{PI, TAU};
 
 pub(crate) type Point = [f64; 2];
@@ -295,7 +295,7 @@ fn order(one: [f64; 2], other: [f64; 2]) -> Option<core::cmp::Ordering> {
 /// Tests `least` random linkages of a kind, or as many as `REULEAUX_NEAREST` says, without those whose nearest assembly is too close to
 /// call.
 pub(crate) fn look(kind: fn(&mut Random) -> Linkage, seed: u64, least: usize) {
-    let count = std::env::var("REULEAUX_NEAREST").ok().and_then(|count| count.parse().ok()).unwrap_or(least);
+    let count = std::env::var("REULEAUX_NEAREST").ok().and_then(|count| count.parse().ok()).unwrap_or(samples(least / 3, least));
     let mut random = Random(seed);
     let (mut judged, mut wrong) = (0, Vec::new());
     for number in 0..2 * count {

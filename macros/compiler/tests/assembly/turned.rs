@@ -1,6 +1,6 @@
 //! Starts in space that are turned far away from where a mechanism closes.
 
-use crate::{Random, accepted, refused};
+use crate::{Random, accepted, refused, samples};
 use reuleaux_compiler::diag::{AssemblyFact, Fact};
 use std::f64::consts::PI;
 
@@ -113,7 +113,7 @@ fn loops_close_from_any_start() {
     ];
     let mut random = Random(2026);
     for kinds in loops {
-        for off in [0.3, 1.2, 2.1, 3.0] {
+        for off in [3.0, 0.3, 1.2, 2.1].into_iter().take(samples(1, 4)) {
             for _ in 0..3 {
                 let compiled = accepted(&random_loop(&mut random, kinds, off));
                 assert!(compiled.assembly.is_closed);

@@ -12,16 +12,20 @@
 mod corpus;
 mod mutate;
 mod random;
+#[path = "../../../../tests/samples.rs"]
+#[allow(unreachable_pub)]
+mod samples;
 
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 use quote::quote;
 use random::Random;
+use samples::samples;
 use std::panic::catch_unwind;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
-/// Number of cases of the usual run.
-const CASES: u64 = 600;
+/// Number of cases of the usual run and of `.ci/run`.
+const CASES: [usize; 2] = [150, 600];
 
 /// Number of cases per thread: the fallback of `proc_macro2` keeps every source that a thread has read.
 const CHUNK: u64 = 100;
@@ -38,7 +42,7 @@ static CURRENT: Mutex<Option<(u64, Instant)>> = Mutex::new(None);
 #[test]
 fn any_tokens_are_answered_in_rust() {
     let number = |name: &str, otherwise: u64| std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(otherwise);
-    let (first, cases) = (number("REULEAUX_FUZZ_SEED", 0), number("REULEAUX_FUZZ_CASES", CASES));
+    let (first, cases) = (number("REULEAUX_FUZZ_SEED", 0), number("REULEAUX_FUZZ_CASES", samples(CASES[0], CASES[1]) as u64));
     std::thread::spawn(watch);
     let (mut slow, mut accepted) = (Vec::new(), 0);
     for start in (first..first + cases).step_by(CHUNK as usize) {

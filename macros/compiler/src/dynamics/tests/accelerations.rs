@@ -1,6 +1,7 @@
 //! Accelerations in closed form against a dense solution in the coordinates of all bodies.
 
 use crate::compile;
+use crate::expr::tests::samples::samples;
 use crate::expr::{Spin, SpinAxes, Values, evaluate};
 use crate::linear::dense;
 use crate::numeric::at_defaults;
@@ -217,7 +218,7 @@ fn at_random(declaration: &str) -> impl Iterator<Item = [Vec<f64>; 2]> + use<> {
         seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     };
-    (0..64).map(move |_| {
+    (0..samples(8, 64)).map(move |_| {
         let [mut coordinates, mut speeds]: [Vec<f64>; 2] = [1.0, 5.0].map(|size| roles.iter().map(|_| size * draw()).collect());
         let first_of_each: Vec<usize> = (0..roles.len()).filter(|number| roles[*number] == Role::Quaternion(0)).collect();
         for first in first_of_each {
