@@ -19,7 +19,6 @@ pub mod branches;
 pub mod laws;
 pub mod library;
 pub mod mechanisms;
-#[allow(non_snake_case)] // Parameters are named after points, which are capitals.
 pub mod stress;
 pub mod units;
 

@@ -316,6 +316,23 @@ fn a_motion_in_space_is_seen_from_one_place() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// Views and scenes are drawn from where one looks, however far away.
+#[test]
+fn a_view_is_seen_from_the_direction_asked_for() -> Result<(), Box<dyn Error>> {
+    let across = across::AcrossCrank::default();
+    let states = across.sweep((0..4).map(|step| f64::from(step) / 12.0)).collect::<Result<Vec<_>, _>>()?;
+    let view = across.view(states.clone());
+    let front = view.clone().seen_from([0.0, -1.0, 0.0]);
+    assert_ne!(front.still(0, &[])?, view.still(0, &[])?);
+    assert_eq!(front.still(0, &[])?, view.clone().seen_from([0.0, -0.5, 0.0]).still(0, &[])?);
+    assert_eq!(front.still(3, &[])?, view.clone().seen_from([1.0, 0.0, 0.0]).seen_from([0.0, -1.0, 0.0]).still(3, &[])?);
+    // A scene by itself as well.
+    let mut scene = across.scene(&states[0]);
+    scene.seen_from([0.0, -1.0, 0.0]);
+    assert_ne!(scene.svg(), across.picture(&states[0]));
+    Ok(())
+}
+
 /// One call is as good as a line for each output.
 #[test]
 fn all_outputs_are_plotted_in_one_call() -> Result<(), Box<dyn Error>> {

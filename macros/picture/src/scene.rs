@@ -21,6 +21,8 @@ pub struct Scene {
     pub(crate) outputs: Vec<(String, Fixed)>,
     /// Shapes of bodies: corners in the frame of the body.
     pub(crate) outlines: Vec<(String, Vec<Vector>)>,
+    /// Direction towards the eye that takes the place of a chosen one, in space.
+    pub(crate) toward: Option<[f64; 3]>,
 }
 
 /// A body with its pose.
@@ -138,6 +140,7 @@ impl Scene {
             joints: Vec::new(),
             outputs: Vec::new(),
             outlines: Vec::new(),
+            toward: None,
         }
     }
 
@@ -178,6 +181,14 @@ impl Scene {
     /// The shape is drawn below links and hinges, in the colour of the body: a cam, a bucket, a Geneva wheel.
     pub fn outline(&mut self, body: &str, corners: impl IntoIterator<Item = impl Into<Vector>>) {
         self.outlines.push((body.to_owned(), corners.into_iter().map(Into::into).collect()));
+    }
+
+    /// Draws a mechanism in space as seen from a direction in ground, of any length: `[0, -1, 0]` is the front view, `[0, 0, 1]` the view from above,
+    /// `[1, -1, 1]` is isometric. Without it a direction is chosen from which joints do not overlap.
+    ///
+    /// The first scene of a motion that has a direction decides for all of them. A mechanism in the plane is drawn as before.
+    pub fn seen_from(&mut self, direction: [f64; 3]) {
+        self.toward = Some(direction);
     }
 
     fn add(&mut self, joint: Joint) -> &mut Joint {

@@ -10,8 +10,8 @@ use crate::habits::Habits;
 use crate::placed::PlacedScene;
 use crate::plane::{Place, Rectangle, hull, is_inside, place};
 use crate::wheels::Wheels;
-pub(crate) use samples::samples;
 use crate::{Film, GROUND, Pose, Scene, Undrawable, animation, frames};
+pub(crate) use samples::samples;
 
 fn placed(scene: &Scene) -> PlacedScene {
     PlacedScene::of(scene).expect("everything has a place")

@@ -55,6 +55,14 @@ impl<S> View<S> {
         self
     }
 
+    /// Draws a mechanism in space as seen from a direction in ground, of any length: `[0.0, -1.0, 0.0]` is the front view, `[0.0, 0.0, 1.0]` the view
+    /// from above, `[1.0, -1.0, 1.0]` is isometric. Without it a direction is chosen from which joints do not overlap.
+    #[must_use]
+    pub fn seen_from(mut self, direction: [f64; 3]) -> View<S> {
+        self.recording.scenes.iter_mut().for_each(|scene| scene.seen_from(direction));
+        self
+    }
+
     /// Plots a quantity in a diagram of its own. The curve has gaps where the quantity is not finite.
     #[must_use]
     pub fn plot<V: Into<f64>>(mut self, name: &str, unit: &str, of: impl Fn(&S) -> V) -> View<S> {

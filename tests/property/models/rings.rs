@@ -15,7 +15,6 @@ use std::fmt::Write as _;
 use std::num::NonZero;
 use std::thread;
 
-
 /// Smallest length of each of the two chains, in m, and smallest sine of the angle between them.
 const MARGIN: f64 = 0.25;
 

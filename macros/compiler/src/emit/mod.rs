@@ -133,7 +133,8 @@ fn structure(model: &Model, page: &str) -> TokenStream {
     let Model { docs, visibility, name, .. } = model;
     let (docs, passed, word) = (&docs.tokens, &docs.passed, model.requests.serde.as_ref());
     let (serial, skipped) = (serial::derived(word, Some(name)), serial::skipped(word));
-    let fields = Parameters::new(&model.layout, name).documented(model, 0);
+    let parameters = Parameters::new(&model.layout, name);
+    let (fields, capitals) = (parameters.documented(model, 0), parameters.capitals(0));
     let marker = model.parameters.is_empty().then(|| quote!(#[doc(hidden)] #skipped pub _real: ::core::marker::PhantomData<T>));
     quote! {
         #docs
@@ -141,6 +142,7 @@ fn structure(model: &Model, page: &str) -> TokenStream {
         #[doc = #page]
         #[derive(Clone, Copy, Debug, PartialEq)]
         #serial
+        #capitals
         #passed
         #visibility struct #name<T = ::core::primitive::f64> { #fields #marker }
     }

@@ -74,6 +74,12 @@ impl<'a> Parameters<'a> {
             .map(|component| (component, self.structure(component)))
     }
 
+    /// Lengths are named with capitals, as points are; rustc would complain at the struct.
+    pub(super) fn capitals(&self, component: usize) -> Option<TokenStream> {
+        let is_capital = self.fields(component).any(|(_, field)| field.name.to_string().contains(char::is_uppercase));
+        is_capital.then(|| quote!(#[allow(non_snake_case)]))
+    }
+
     /// Fields with their documentation.
     pub(super) fn documented(&self, model: &Model, component: usize) -> TokenStream {
         let part = self.layout.parts.iter().find(|part| part.component == component);
@@ -109,12 +115,14 @@ impl<'a> Parameters<'a> {
             // States hold inputs, so that the struct stands beside theirs.
             let is_apart = model.holds_inputs() && self.is_of_inputs(component);
             let structure = (!is_apart).then(|| {
+                let capitals = self.capitals(component);
                 let (passed, serial) =
                     (&declared.docs.passed, serial::derived(model.requests.serde.as_ref(), Some(&name).filter(|_| !defaults.is_empty())));
                 quote! {
                     #docs
                     #[derive(Clone, Copy, Debug, PartialEq)]
                     #serial
+                    #capitals
                     #passed
                     #visibility struct #name<T = ::core::primitive::f64> { #fields }
                 }

@@ -10,10 +10,10 @@ mod gather;
 mod jet;
 mod precise;
 pub(crate) mod random;
-mod show;
 #[path = "../../../../tests/samples.rs"]
 #[allow(unreachable_pub)]
 pub(crate) mod samples;
+mod show;
 mod simplify;
 
 use super::{Arena, Expr, Values};

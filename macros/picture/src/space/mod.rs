@@ -54,7 +54,7 @@ pub(crate) struct Stage {
 /// Draws all scenes in one projection.
 pub(crate) fn stage(scenes: &[Scene]) -> Result<Stage, Undrawable> {
     let placed = scenes.iter().map(Placed::of).collect::<Result<Vec<_>, _>>()?;
-    let camera = Camera::best(&placed);
+    let camera = camera(scenes, &placed)?;
     let sight = sight(&placed, camera)?;
     let seen: Vec<Placed> = placed.iter().map(|scene| scene.seen(sight.scale, |at| sight.enlarge(at))).collect();
     let customs = Customs::of(&seen);
@@ -65,8 +65,16 @@ pub(crate) fn stage(scenes: &[Scene]) -> Result<Stage, Undrawable> {
 /// Least projected distance of two distinct points, relative to the size of the mechanism.
 pub(crate) fn clearance(scene: &Scene) -> Result<f64, Undrawable> {
     let placed = Placed::of(scene)?;
-    let camera = Camera::best(std::slice::from_ref(&placed));
+    let camera = camera(std::slice::from_ref(scene), std::slice::from_ref(&placed))?;
     Ok(view::clearance(&placed, &camera))
+}
+
+/// The first direction that is asked for, or a good one.
+fn camera(scenes: &[Scene], placed: &[Placed]) -> Result<Camera, Undrawable> {
+    match scenes.iter().find_map(|scene| scene.toward) {
+        Some([x, y, z]) => Camera::toward(vec3(x, y, z)).ok_or(Undrawable::Unseen),
+        None => Ok(Camera::best(placed)),
+    }
 }
 
 /// Projection with room for all scenes.

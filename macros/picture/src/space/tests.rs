@@ -5,7 +5,7 @@ use super::vector::{UP, Vec3, vec3};
 use super::view::{Camera, clearance};
 use super::wheels::Wheels;
 use crate::tests::{Chance, samples};
-use crate::{GROUND, Pose, Scene, Undrawable, animation, frames};
+use crate::{Film, GROUND, Pose, Scene, Undrawable, animation, frames};
 use core::f64::consts::PI;
 
 const EYE: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -201,7 +201,40 @@ fn all_frames_are_seen_from_one_place() {
 }
 
 #[test]
+fn a_mechanism_is_seen_from_the_direction_asked_for() -> Result<(), Undrawable> {
+    // Right and upwards in the picture, for a point that is moved along x, y and z.
+    let root = 0.5_f64.sqrt();
+    let isometric = [[root, -1.0 / 6.0_f64.sqrt()], [root, 1.0 / 6.0_f64.sqrt()], [0.0, (2.0 / 3.0_f64).sqrt()]];
+    let views = [
+        ([0.0, -1.0, 0.0], [[1.0, 0.0], [0.0, 0.0], [0.0, 1.0]]),
+        ([2.0, 0.0, 0.0], [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]),
+        ([0.0, 0.0, 0.1], [[1.0, 0.0], [0.0, 1.0], [0.0, 0.0]]),
+        ([0.0, 0.0, -1.0], [[1.0, 0.0], [0.0, -1.0], [0.0, 0.0]]),
+        ([1.0, -1.0, 1.0], isometric),
+    ];
+    for (direction, wanted) in views {
+        let mut scenes = [0.3, 0.5].map(crank);
+        scenes[0].seen_from(direction);
+        let film = Film::of(&scenes, &[])?;
+        let origin = film.at([0.0; 3]);
+        let along = |axis: usize| film.at([0, 1, 2].map(|k| if k == axis { 0.01 } else { 0.0 }));
+        let ways = [0, 1, 2].map(|axis| [along(axis)[0] - origin[0], origin[1] - along(axis)[1]]);
+        let scale = ways.iter().flatten().map(|way| way * way).sum::<f64>().sqrt() / 2.0_f64.sqrt();
+        for (way, wanted) in ways.iter().flatten().zip(wanted.iter().flatten()) {
+            assert!((way / scale - wanted).abs() < 1e-9, "{direction:?}: {ways:?}");
+        }
+    }
+    Ok(())
+}
+
+#[test]
 fn what_cannot_be_drawn_says_why() {
+    for direction in [[0.0; 3], [f64::NAN, 0.0, 1.0]] {
+        let mut unseen = crank(1.0);
+        unseen.seen_from(direction);
+        assert_eq!(unseen.draw(), Err(Undrawable::Unseen));
+        assert!(unseen.svg().contains("There is no picture: it is seen from no direction."));
+    }
     let mut strange = crank(1.0);
     strange.point("crnk", [0.0; 3]);
     assert_eq!(strange.draw(), Err(Undrawable::UnknownBody("crnk".into())));
@@ -249,6 +282,9 @@ fn anything(chance: &mut Chance, is_wild: bool) -> Scene {
     for name in &BODIES[..3] {
         let pose = Pose::space(vector(chance, is_wild), [(); 3].map(|()| vector(chance, is_wild)));
         scene.body(name, if chance.next().is_multiple_of(5) { Pose::plane(0.1, 0.2, 0.3) } else { pose });
+    }
+    if chance.next().is_multiple_of(3) {
+        scene.seen_from(vector(chance, is_wild));
     }
     for _ in 0..chance.next() % 6 {
         let (body, at) = (chance.one(&BODIES), vector(chance, is_wild));

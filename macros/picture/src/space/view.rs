@@ -35,6 +35,14 @@ impl Camera {
         Camera { right, up: toward.cross(right), toward }
     }
 
+    /// Camera from a direction towards the eye of any length. From above, x points to the right, as in the front view.
+    pub(crate) fn toward(eye: Vec3) -> Option<Camera> {
+        let eye = eye.direction()?;
+        let level = libm::hypot(eye.x, eye.y);
+        let azimuth = if level > 0.0 { libm::atan2(eye.y, eye.x) } else { -PI / 2.0 };
+        Some(Camera::new(azimuth, libm::atan2(eye.z, level)))
+    }
+
     /// Projection: components to the right and upwards.
     pub(crate) fn project(&self, at: Vec3) -> Place {
         place(at.dot(self.right), at.dot(self.up))
