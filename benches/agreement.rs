@@ -1,12 +1,8 @@
 //! Measured programs are right: contenders go where the exact motion goes, and workloads have the blocks they are there for.
 
-#[path = "../tests/samples.rs"]
-#[allow(unreachable_pub)]
-mod samples;
-
 use crate::workloads::{Workload, name};
 use crate::{exact, times, workloads};
-use samples::samples;
+use reuleaux_tests::samples;
 
 /// Steps that are looked at.
 fn steps() -> usize {

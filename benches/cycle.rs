@@ -28,21 +28,21 @@ mechanism! {
     }
 }
 
-/// The input of a cycle: a crank that swings about 20 rad/s, read in steps of its encoder.
+/// The input of a cycle: a crank that swings by 2 rad, read in steps of its encoder.
 fn theta<T: Real>(cycle: u32) -> Motion<T> {
-    let t = 1e-3 * f64::from(cycle);
-    let (sine, cosine) = t.sin_cos();
+    let (sine, cosine) = (1e-2 * f64::from(cycle)).sin_cos();
     let step = core::f64::consts::TAU / 65536.0;
-    let angle = ((20.0 * t + 5.0 * sine) / step).floor() * step;
-    Motion::new(T::of(angle), T::of(20.0 + 5.0 * cosine), T::of(-5.0 * sine))
+    let angle = (2.0 * sine / step).floor() * step;
+    Motion::new(T::of(angle), T::of(20.0 * cosine), T::of(-200.0 * sine))
 }
 
 /// ns of each cycle, in order of size.
-fn timed(mut cycle: impl FnMut(u32)) -> Vec<f64> {
+fn timed<T: Real>(mut cycle: impl FnMut(T, Motion<T>)) -> Vec<f64> {
     let reading = (0..1000).map(|_| Instant::now().elapsed().as_nanos()).min().unwrap_or(0) as f64;
     let one = |number: u32| {
+        let (t, theta) = black_box((T::of(1e-3 * f64::from(number)), theta(number)));
         let start = Instant::now();
-        cycle(black_box(number));
+        cycle(t, theta);
         (start.elapsed().as_nanos() as f64 - reading).max(0.0)
     };
     let mut times: Vec<f64> = (1..=CYCLES).map(one).collect();
@@ -50,7 +50,7 @@ fn timed(mut cycle: impl FnMut(u32)) -> Vec<f64> {
     times
 }
 
-fn row(name: &str, cycle: impl FnMut(u32)) {
+fn row<T: Real>(name: &str, cycle: impl FnMut(T, Motion<T>)) {
     let times = timed(cycle);
     let at = |share: f64| times[(share * (times.len() - 1) as f64) as usize];
     println!("| {name} | {:.0} | {:.0} |", at(0.5), at(0.99));
@@ -60,20 +60,19 @@ macro_rules! loops {
     ($number:ident) => {
         let press = Press::<$number>::with_defaults();
         let start = || press.solve(0.0, PressInputs { theta: theta(0) }).expect("an assembly");
-        let time = |cycle: u32| (1e-3 * f64::from(cycle)) as $number;
         let mut state = start();
-        row(concat!("`advance`, `", stringify!($number), "`"), |cycle| {
-            press.advance(&mut state, time(cycle), PressInputs { theta: theta(cycle) }).expect("a turn");
+        row(concat!("`advance`, `", stringify!($number), "`"), |t: $number, theta| {
+            press.advance(&mut state, t, PressInputs { theta }).expect("a turn");
             black_box(press.stroke(&state));
         });
         let mut state = start();
-        row(concat!("`advance_once`, `", stringify!($number), "`"), |cycle| {
-            assert!(press.advance_once(&mut state, time(cycle), PressInputs { theta: theta(cycle) }), "one step leads there");
+        row(concat!("`advance_once`, `", stringify!($number), "`"), |t: $number, theta| {
+            assert!(press.advance_once(&mut state, t, PressInputs { theta }), "one step leads there");
             black_box(press.stroke(&state));
         });
         let mut state = start();
-        row(concat!("`advance` and all loads, `", stringify!($number), "`"), |cycle| {
-            press.advance(&mut state, time(cycle), PressInputs { theta: theta(cycle) }).expect("a turn");
+        row(concat!("`advance` and all loads, `", stringify!($number), "`"), |t: $number, theta| {
+            press.advance(&mut state, t, PressInputs { theta }).expect("a turn");
             black_box((press.stroke(&state), press.loads(&state)));
         });
     };

@@ -21,7 +21,7 @@ use reuleaux::mechanism;
 use reuleaux::nalgebra::{Matrix3, Rotation3, Unit, Vector3};
 use reuleaux::picture::Drawable;
 use reuleaux::view::View;
-use reuleaux_examples::{figure, play, round, steps};
+use reuleaux_examples::{figure, play, round, steps, still};
 
 mechanism! {
     /// The left front wheel of a car, moved up and down by a test rig.
@@ -105,6 +105,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     print(&mechanism, &travel);
     let figured = view(&mechanism, travel).over("travel of the wheel", "mm", |state| mechanism.rise(state).value * 1e3);
     figure("double_wishbone", &figured, 40, &[0, 80])?;
+    // From the front of the car.
+    still("double_wishbone_front", &figured.seen_from([1.0, 0.0, 0.0]), 40, &[0, 80])?;
     let whole: Vec<State> = mechanism.sweep(steps(0.0, 4.0 * quarter, 80)).collect::<Result<_, _>>()?;
     play("double_wishbone", &view(&mechanism, whole))
 }

@@ -38,6 +38,17 @@ pub fn figure<S>(name: &str, view: &View<S>, state: usize, others: &[usize]) -> 
     Ok(())
 }
 
+/// Writes the drawing of one state above others, without diagrams, as `gallery/<name>.svg`.
+///
+/// # Errors
+/// The reason why the states cannot be shown or the file cannot be written.
+pub fn still<S>(name: &str, view: &View<S>, state: usize, others: &[usize]) -> Result<(), Box<dyn Error>> {
+    let drawing = Path::new(env!("CARGO_MANIFEST_DIR")).join("gallery").join(name).with_extension("svg");
+    fs::write(&drawing, view.still(state, others)?)?;
+    println!("{}", drawing.display());
+    Ok(())
+}
+
 /// Writes a moving picture: the page with its plots beside the running program, and the drawing alone as `gallery/moving/<name>.svg`.
 ///
 /// # Errors

@@ -19,6 +19,8 @@ pub mod branches;
 pub mod laws;
 pub mod library;
 pub mod mechanisms;
+// Parameters are named after points.
+#[deny(non_snake_case)]
 pub mod stress;
 pub mod units;
 

@@ -106,7 +106,7 @@ fn released_and_driven_mechanisms_start_alike_at_any_parameters() {
         }
     }
     println!("{same} the same, {refused} refused, {driven_only} found by the drive only");
-    assert!(same > samples(15, 90) && refused >= samples(1, 10) && driven_only < samples(10, 25), "{same} {refused} {driven_only}");
+    assert!(same > samples(15, 90) && refused > samples(0, 10) && driven_only < samples(6, 25), "{same} {refused} {driven_only}");
 }
 
 /// The loop opens where coupler and rocker are in line: with the crank at 0.3 rad its tip is 350 + 300 mm from the other pivot.

@@ -316,7 +316,7 @@ fn a_motion_in_space_is_seen_from_one_place() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Views and scenes are drawn from where one looks, however far away.
+/// Views and scenes are drawn from a direction of one's own, whatever its length.
 #[test]
 fn a_view_is_seen_from_the_direction_asked_for() -> Result<(), Box<dyn Error>> {
     let across = across::AcrossCrank::default();

@@ -167,23 +167,23 @@ fn shares_follow_each_other() {
 
 #[test]
 fn the_number_of_processes_changes_nothing() {
-    let alone = STUDY.tally(0..401).expect("a tally");
-    assert_eq!(run(401, None).on(&Alone, |_| {}).expect("a run"), alone);
+    let alone = STUDY.tally(0..1601).expect("a tally");
+    assert_eq!(run(1601, None).on(&Alone, |_| {}).expect("a run"), alone);
     for size in [2, 3] {
-        assert_eq!(by_threads(&run(401, None), size), alone, "{size} processes");
+        assert_eq!(by_threads(&run(1601, None), size), alone, "{size} processes");
     }
 }
 
 #[test]
 fn a_study_goes_on_from_its_checkpoint_with_other_processes() {
     let [straight, broken] = ["straight", "broken"].map(file);
-    run(400, Some(straight.clone())).on(&Alone, |_| {}).expect("a run");
-    by_threads(&run(201, Some(broken.clone())), 3);
-    by_threads(&run(400, Some(broken.clone())), 2);
+    run(1600, Some(straight.clone())).on(&Alone, |_| {}).expect("a run");
+    by_threads(&run(801, Some(broken.clone())), 3);
+    by_threads(&run(1600, Some(broken.clone())), 2);
     let [expected, found] = [&straight, &broken].map(|path| fs::read(path).expect("a checkpoint"));
     assert!(expected == found, "the files are the same, byte for byte");
     // What is done is not done again, nor lost.
-    assert_eq!(run(100, Some(broken.clone())).on(&Alone, |_| {}).expect("a run").sets, 400);
+    assert_eq!(run(100, Some(broken.clone())).on(&Alone, |_| {}).expect("a run").sets, 1600);
     [straight, broken].iter().for_each(|path| fs::remove_file(path).expect("a file"));
 }
 

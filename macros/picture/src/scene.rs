@@ -21,7 +21,7 @@ pub struct Scene {
     pub(crate) outputs: Vec<(String, Fixed)>,
     /// Shapes of bodies: corners in the frame of the body.
     pub(crate) outlines: Vec<(String, Vec<Vector>)>,
-    /// Direction towards the eye that takes the place of a chosen one, in space.
+    /// Vector towards the eye, if one was asked for.
     pub(crate) toward: Option<[f64; 3]>,
 }
 
@@ -183,10 +183,13 @@ impl Scene {
         self.outlines.push((body.to_owned(), corners.into_iter().map(Into::into).collect()));
     }
 
-    /// Draws a mechanism in space as seen from a direction in ground, of any length: `[0, -1, 0]` is the front view, `[0, 0, 1]` the view from above,
-    /// `[1, -1, 1]` is isometric. Without it a direction is chosen from which joints do not overlap.
+    /// Draws a mechanism in space from a direction of your own: a vector from the mechanism towards the eye, in ground. `[0.0, -1.0, 0.0]` is the front
+    /// view, `[0.0, 0.0, 1.0]` the view from above, `[1.0, -1.0, 1.0]` is isometric. Its length does not matter.
     ///
-    /// The first scene of a motion that has a direction decides for all of them. A mechanism in the plane is drawn as before.
+    /// z points upwards; in the view from above y does, and x to the right. Without this call a direction is chosen from which joints overlap as
+    /// little as possible. In a motion, the first scene with a direction decides for all frames. A mechanism in the plane is not affected.
+    ///
+    /// A vector that is zero or not finite gives [`Undrawable::Unseen`](crate::Undrawable::Unseen) when the scene is drawn.
     pub fn seen_from(&mut self, direction: [f64; 3]) {
         self.toward = Some(direction);
     }

@@ -262,11 +262,13 @@ const LETTER: f64 = 16.0;
 fn axes_of_ground(page: &mut String, axes: &Axes) -> Rectangle {
     let Axes { origin, ways, length: (text, at) } = axes;
     let mut lines = String::new();
-    for way in ways {
+    // An axis towards the eye has no direction in the picture.
+    let seen = || ["x", "y", "z"].into_iter().zip(ways).filter(|(_, way)| way.norm() > 1.0);
+    for (_, way) in seen() {
         let _ = write!(lines, "M{}L{}", pair(*origin), pair(*origin + *way));
     }
     let _ = writeln!(page, "<path class=\"l\" d=\"{lines}\"/>");
-    for (name, way) in ["x", "y", "z"].into_iter().zip(ways) {
+    for (name, way) in seen() {
         let (tip, along) = (*origin + *way, way.unit());
         if way.norm() > 8.0 {
             let (back, side) = (tip - along * 8.0, along.perp() * 3.2);

@@ -1,9 +1,5 @@
 //! Geometry of pictures: radii, contacts, outlines. No scene causes a panic.
 
-#[path = "../../../tests/samples.rs"]
-#[allow(unreachable_pub)]
-mod samples;
-
 use crate::cams::cams;
 use crate::drawing::Setting;
 use crate::habits::Habits;
@@ -11,7 +7,6 @@ use crate::placed::PlacedScene;
 use crate::plane::{Place, Rectangle, hull, is_inside, place};
 use crate::wheels::Wheels;
 use crate::{Film, GROUND, Pose, Scene, Undrawable, animation, frames};
-pub(crate) use samples::samples;
 
 fn placed(scene: &Scene) -> PlacedScene {
     PlacedScene::of(scene).expect("everything has a place")
@@ -442,6 +437,11 @@ fn anything(chance: &mut Chance, is_wild: bool) -> Scene {
         });
     }
     scene
+}
+
+/// `all` if the environment variable `REULEAUX_SAMPLES` is set, as in `.ci/run`; otherwise `few`, so that the usual test run is short.
+pub(crate) fn samples(few: usize, all: usize) -> usize {
+    if std::env::var_os("REULEAUX_SAMPLES").is_some() { all } else { few }
 }
 
 #[test]

@@ -19,7 +19,7 @@ pub enum Undrawable {
     UnknownBody(String),
     /// A coordinate is not a number, or too large.
     Nowhere,
-    /// The direction from which the scene is seen has no length, or is not a number.
+    /// The direction from which the scene is seen is zero or not finite.
     Unseen,
 }
 
@@ -39,7 +39,7 @@ impl Undrawable {
             Undrawable::Empty => "there is nothing to draw".to_owned(),
             Undrawable::UnknownBody(name) => format!("`{name}` is none of the bodies"),
             Undrawable::Nowhere => "not every place is a number".to_owned(),
-            Undrawable::Unseen => "it is seen from no direction".to_owned(),
+            Undrawable::Unseen => "the direction of view is zero or not finite".to_owned(),
         }
     }
 }

@@ -156,6 +156,7 @@ fn what_passes_in_front_is_painted_later() -> Result<(), Unviewable> {
 #[test]
 fn a_page_is_the_same_on_every_run_and_small() -> Result<(), Unviewable> {
     let page = view(1000).to_html()?;
+    // Without optimisation a page of a thousand states takes seconds.
     assert_eq!(view(100).to_html()?, view(100).to_html()?);
     assert!(page.len() < 200_000, "{} bytes", page.len());
     Ok(())

@@ -55,8 +55,12 @@ impl<S> View<S> {
         self
     }
 
-    /// Draws a mechanism in space as seen from a direction in ground, of any length: `[0.0, -1.0, 0.0]` is the front view, `[0.0, 0.0, 1.0]` the view
-    /// from above, `[1.0, -1.0, 1.0]` is isometric. Without it a direction is chosen from which joints do not overlap.
+    /// Draws a mechanism in space from a direction of your own: a vector from the mechanism towards the eye, in ground. `[0.0, -1.0, 0.0]` is the front
+    /// view, `[0.0, 0.0, 1.0]` the view from above, `[1.0, -1.0, 1.0]` is isometric. Its length does not matter.
+    ///
+    /// z points upwards; in the view from above y does, and x to the right. Without this call a direction is chosen from which joints overlap as
+    /// little as possible. A mechanism in the plane is not affected. With a vector that is zero or not finite there is no drawing: the functions that
+    /// make one return the reason.
     #[must_use]
     pub fn seen_from(mut self, direction: [f64; 3]) -> View<S> {
         self.recording.scenes.iter_mut().for_each(|scene| scene.seen_from(direction));

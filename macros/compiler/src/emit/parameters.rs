@@ -74,7 +74,7 @@ impl<'a> Parameters<'a> {
             .map(|component| (component, self.structure(component)))
     }
 
-    /// Lengths are named with capitals, as points are; rustc would complain at the struct.
+    /// Names of parameters may have capitals, as those of points have; rustc would warn of such fields.
     pub(super) fn capitals(&self, component: usize) -> Option<TokenStream> {
         let is_capital = self.fields(component).any(|(_, field)| field.name.to_string().contains(char::is_uppercase));
         is_capital.then(|| quote!(#[allow(non_snake_case)]))

@@ -10,8 +10,6 @@ mod gather;
 mod jet;
 mod precise;
 pub(crate) mod random;
-#[path = "../../../../tests/samples.rs"]
-#[allow(unreachable_pub)]
 pub(crate) mod samples;
 mod show;
 mod simplify;

@@ -8,8 +8,7 @@ mod nearest;
 mod orientations;
 mod plates;
 mod range;
-#[path = "../../../../tests/samples.rs"]
-#[allow(unreachable_pub)]
+#[path = "../../src/expr/tests/samples.rs"]
 mod samples;
 mod starts;
 mod turned;

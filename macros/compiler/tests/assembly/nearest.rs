@@ -292,10 +292,10 @@ fn order(one: [f64; 2], other: [f64; 2]) -> Option<core::cmp::Ordering> {
     None
 }
 
-/// Tests `least` random linkages of a kind, or as many as `REULEAUX_NEAREST` says, without those whose nearest assembly is too close to
-/// call.
-pub(crate) fn look(kind: fn(&mut Random) -> Linkage, seed: u64, least: usize) {
-    let count = std::env::var("REULEAUX_NEAREST").ok().and_then(|count| count.parse().ok()).unwrap_or(samples(least / 3, least));
+/// Tests `all` random linkages of a kind, a third of them in the usual run, or as many as `REULEAUX_NEAREST` says, without those whose nearest
+/// assembly is too close to call.
+pub(crate) fn look(kind: fn(&mut Random) -> Linkage, seed: u64, all: usize) {
+    let count = std::env::var("REULEAUX_NEAREST").ok().and_then(|count| count.parse().ok()).unwrap_or(samples(all / 3, all));
     let mut random = Random(seed);
     let (mut judged, mut wrong) = (0, Vec::new());
     for number in 0..2 * count {

@@ -12,8 +12,7 @@
 mod corpus;
 mod mutate;
 mod random;
-#[path = "../../../../tests/samples.rs"]
-#[allow(unreachable_pub)]
+#[path = "../../src/expr/tests/samples.rs"]
 mod samples;
 
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};

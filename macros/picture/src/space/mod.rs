@@ -1,4 +1,4 @@
-//! Spatial mechanisms: an axonometric drawing, from a direction that is chosen for visibility.
+//! Spatial mechanisms: a parallel projection from a direction that is chosen for visibility, unless one is asked for.
 //!
 //! ```text
 //! Scene ─placed─▶ Placed (m) ─view─▶ Placed (units of the picture) ─drawing, symbols, slides, balls, wheels, drives─▶ Canvas
@@ -72,7 +72,7 @@ pub(crate) fn clearance(scene: &Scene) -> Result<f64, Undrawable> {
 /// The first direction that is asked for, or a good one.
 fn camera(scenes: &[Scene], placed: &[Placed]) -> Result<Camera, Undrawable> {
     match scenes.iter().find_map(|scene| scene.toward) {
-        Some([x, y, z]) => Camera::toward(vec3(x, y, z)).ok_or(Undrawable::Unseen),
+        Some([x, y, z]) => Camera::from_direction(vec3(x, y, z)).ok_or(Undrawable::Unseen),
         None => Ok(Camera::best(placed)),
     }
 }
@@ -80,9 +80,12 @@ fn camera(scenes: &[Scene], placed: &[Placed]) -> Result<Camera, Undrawable> {
 /// Projection with room for all scenes.
 fn sight(scenes: &[Placed], camera: Camera) -> Result<Sight, Undrawable> {
     let mut frame = Rectangle::empty();
+    let (mut near, mut far) = (f64::INFINITY, f64::NEG_INFINITY);
     let mut shortest = f64::INFINITY;
     for scene in scenes {
         frame = scene.places().map(|at| camera.project(at)).fold(frame, Rectangle::with);
+        let depths = scene.places().map(|at| at.dot(camera.toward));
+        (near, far) = depths.fold((near, far), |(near, far), depth| (near.min(depth), far.max(depth)));
         for wheel in Wheels::of(scene).wheels {
             let around = Rectangle::centred(camera.project(wheel.at), place(2.0, 2.0) * wheel.radius);
             frame = frame.with(around.low).with(around.high);
@@ -97,7 +100,9 @@ fn sight(scenes: &[Placed], camera: Camera) -> Result<Sight, Undrawable> {
     }
     // A shorter distance between points is an offset, not a link.
     let shortest = shortest.max(0.04 * size.norm());
-    let fit = |most: Place| (most.x / size.x).min(most.y / size.y);
+    // A mechanism that is seen end on is not enlarged without bound.
+    let least = 0.05 * (far - near);
+    let fit = |most: Place| (most.x / size.x.max(least)).min(most.y / size.y.max(least));
     let (least, most) = (fit(USUAL), fit(LARGEST));
     let scale = if most.is_finite() { (SHORTEST / shortest).clamp(least, most) } else { 100.0 };
     let scale = if scale.is_finite() && scale > 0.0 { scale } else { 1.0 };

@@ -138,7 +138,9 @@ impl Placed {
         let is_somewhere = |at: Vec3| [at.x, at.y, at.z].iter().all(|part| part.abs() <= FARTHEST);
         let are_turned = placed.bodies.iter().all(|body| body.rotation.iter().flatten().all(|entry| entry.is_finite()));
         let have_directions = placed.joints.iter().flat_map(|joint| joint.given.axes()).all(|of| of.at.is_finite());
-        let is_placed = are_turned && have_directions && placed.places().all(is_somewhere);
+        let of_arguments = || placed.joints.iter().flat_map(|joint| joint.given.joints()).flat_map(|made| made.given.points());
+        let are_somewhere = placed.places().chain(of_arguments().map(|of| of.at)).all(is_somewhere);
+        let is_placed = are_turned && have_directions && are_somewhere;
         if is_placed { Ok(placed) } else { Err(Undrawable::Nowhere) }
     }
 

@@ -30,10 +30,16 @@ impl Vec3 {
         libm::hypot(libm::hypot(self.x, self.y), self.z)
     }
 
-    /// Unit vector, unless the vector vanishes.
+    /// Unit vector, unless the vector vanishes or is not finite.
     pub(crate) fn direction(self) -> Option<Vec3> {
-        let norm = self.norm();
-        (norm > 0.0 && norm.is_finite()).then(|| self * (1.0 / norm))
+        let largest = self.x.abs().max(self.y.abs()).max(self.z.abs());
+        if !(largest > 0.0 && self.is_finite()) {
+            return None;
+        }
+        // The norm of a very large vector is infinite, and so is the reciprocal of a very small norm.
+        let is_usual = (1e-150..1e150).contains(&largest);
+        let scaled = if is_usual { self } else { vec3(self.x / largest, self.y / largest, self.z / largest) };
+        Some(scaled * (1.0 / scaled.norm()))
     }
 
     /// Unit vector; upwards if the vector vanishes.

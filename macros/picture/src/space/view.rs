@@ -1,4 +1,4 @@
-//! Choice of the direction of view, and the projection.
+//! Choice of the direction of view, unless one is asked for, and the projection.
 //!
 //! The projection is orthographic, with z upwards. Among some directions the best keeps distinct points apart, shows no joint axis end
 //! on, shortens no link to nothing, and shows no plate edge on.
@@ -16,6 +16,9 @@ const FRAMES: usize = 6;
 
 /// Points nearer to each other than this fraction of the size are hard to tell apart.
 const APART: f64 = 0.07;
+
+/// A direction whose horizontal part is smaller than this is upright.
+const UPRIGHT: f64 = 1e-9;
 
 /// A direction of view.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,12 +38,12 @@ impl Camera {
         Camera { right, up: toward.cross(right), toward }
     }
 
-    /// Camera from a direction towards the eye of any length. From above, x points to the right, as in the front view.
-    pub(crate) fn toward(eye: Vec3) -> Option<Camera> {
-        let eye = eye.direction()?;
-        let level = libm::hypot(eye.x, eye.y);
-        let azimuth = if level > 0.0 { libm::atan2(eye.y, eye.x) } else { -PI / 2.0 };
-        Some(Camera::new(azimuth, libm::atan2(eye.z, level)))
+    /// Camera from a vector of any length towards the eye. Seen from above or below, x points to the right, as in the front view.
+    pub(crate) fn from_direction(eye: Vec3) -> Option<Camera> {
+        let toward = eye.direction()?;
+        let level = libm::hypot(toward.x, toward.y);
+        let right = if level > UPRIGHT { vec3(-toward.y / level, toward.x / level, 0.0) } else { vec3(1.0, 0.0, 0.0) };
+        Some(Camera { right, up: toward.cross(right), toward })
     }
 
     /// Projection: components to the right and upwards.
