@@ -163,7 +163,7 @@ fn the_end_of_a_law_is_named() {
     assert!((failure.time - 0.5).abs() < 1e-14);
 }
 
-/// `cargo test --workspace --test refusal -- --ignored`
+/// `cargo test -p reuleaux --test refusal -- --ignored`
 #[test]
 #[ignore = "a million steps: ten seconds without optimisation"]
 fn a_way_that_is_too_long_is_given_up() {
