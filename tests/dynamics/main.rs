@@ -23,5 +23,6 @@ mod published;
 mod redundant;
 mod shared_nodes;
 mod space;
+mod springs;
 mod stiff;
 mod stops;
