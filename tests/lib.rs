@@ -19,7 +19,7 @@ pub mod branches;
 pub mod laws;
 pub mod library;
 pub mod mechanisms;
-// Parameters are named after points.
+// Parameters have capitals, as points do: rustc must not warn about them.
 #[deny(non_snake_case)]
 pub mod stress;
 pub mod units;

@@ -2,8 +2,8 @@
 //! to rounding in doubles, verified with 32 digits.
 //!
 //! Bytes determine a case entirely: mechanism, number type, parameters, states, guesses, times, and the order of calls. The usual run has
-//! a tenth of the cases of `corpus.txt`, `.ci/run` all of them: they cover every outcome ever seen of each call for each mechanism. Both have some
-//! random cases, with numbers up to a hundred or not finite. A long run, with any numbers, is
+//! a tenth of the cases of `corpus.txt`, which together cover every outcome ever seen of each call for each mechanism; `.ci/run` has all of them. Both
+//! have some random cases, with numbers up to a hundred or not finite. A long run, with any numbers, is
 //!
 //! ```text
 //! REULEAUX_FUZZ_CASES=100000 cargo test --release -p reuleaux-tests --test abuse -- --nocapture

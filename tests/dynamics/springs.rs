@@ -3,7 +3,7 @@
 use reuleaux::{Integrator, mechanism};
 
 mechanism! {
-    /// A mass on a spring without length at rest, from the place where the spring has no length: m ẍ = −k x in both directions.
+    /// A mass on a spring without `rest`, from the place where its length is zero: m ẍ = −k x in both directions.
     mechanism Centred {
         body bob { mass = 2kg;  inertia = 0.1kgm2; }
         force pull = spring(ground.position, bob.position, stiffness: 50N_m);
@@ -14,7 +14,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// The same spring on a slide that is driven through the place without length.
+    /// The same spring on a slide that is driven through length zero.
     mechanism Through {
         body slide { mass = 2kg; }
         force pull = spring(ground.position, slide.position, stiffness: 50N_m);

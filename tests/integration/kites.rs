@@ -48,7 +48,7 @@ impl Kite {
 /// From 0.5 rad in three steps, a step from 1e-8 rad before the crossing to 1e-7 rad behind it led to the rocker at rest.
 #[test]
 fn a_step_next_to_the_crossing_does_not_change_the_branch() {
-    for start in core::iter::once(50).chain((1..200).step_by(200 / samples(20, 200))) {
+    for start in (0..200).step_by(200 / samples(20, 200)).skip(1) {
         for steps in [1, 2, 3] {
             Kite { short: 1.0, long: 3.0, start: 0.01 * f64::from(start), speed: 2.0 }.passes(steps);
             Kite { short: 3.0, long: 1.0, start: 0.01 * f64::from(start), speed: -3.0 }.passes(steps);

@@ -186,9 +186,11 @@ fn rests_are_taken() {
 fn what_moves_of_a_scene_moves_as_it_does_alone() {
     let scene = Scene::default();
     let mut state = scene.solve(0.0).unwrap();
-    for k in (1..=100).step_by(100 / samples(20, 100)) {
-        scene.advance(&mut state, f64::from(k) / 100.0).unwrap();
-        let directly = scene.solve(f64::from(k) / 100.0).unwrap();
+    let steps = samples(20, 100);
+    for k in 1..=steps {
+        let t = k as f64 / steps as f64;
+        scene.advance(&mut state, t).unwrap();
+        let directly = scene.solve(t).unwrap();
         assert!((state.q - directly.q).amax() <= 1e-12);
         assert!((state.qd - directly.qd).amax() <= 1e-11);
         assert!((state.qdd - directly.qdd).amax() <= 1e-9);

@@ -15,8 +15,10 @@ use reuleaux_tests::samples;
 /// Largest number of paths through lengths and time that are tried for each mechanism.
 const WAYS: usize = 1000;
 
-/// Number of poses with a vanishing pivot that must be found, and number after which the search ends; in the usual run and in `.ci/run`.
+/// Poses with a vanishing pivot that must be found: in the usual run, and in `.ci/run`.
 const NEEDED: [usize; 2] = [1, 2];
+
+/// Poses after which the search ends, likewise.
 const ENOUGH: [usize; 2] = [1, 4];
 
 /// Poses along each path.

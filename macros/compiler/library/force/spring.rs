@@ -10,8 +10,8 @@
 /// ```
 ///
 /// `at P` it pulls towards `Q` where it is longer than `rest`, and pushes where it is shorter. Degenerate case: at length zero the line has
-/// no direction, and the force is not a number. Only a spring without `rest` has a force there, `stiffness (r_Q − r_P)`; a parameter that happens to
-/// be 0 does not count as none.
+/// no direction, and the force is not a number. Without `rest` it is `stiffness (r_Q − r_P)`, also at length zero; with a parameter as `rest` it is
+/// not a number there even if that is 0.
 ///
 /// Reference: Nikravesh, section 9.4; Haug, section 6.2.
 force spring(P: Point, Q: Point, stiffness: Stiffness, rest: Length = 0mm) {

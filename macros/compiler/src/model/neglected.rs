@@ -13,7 +13,7 @@ const PINS: [&str; 4] = ["revolute", "spherical", "universal", "constant_velocit
 type Place = (Option<usize>, Vec<Expr>);
 
 impl Model {
-    /// A point of a body or of ground that nothing uses, while two of these joints share another point of it.
+    /// A point of a body or of ground that nothing uses, while at least two of `joints` take another point of it.
     ///
     /// `None` where equations that are written out, or forces, may use points.
     pub(crate) fn neglected(&self, joints: impl Iterator<Item = usize>) -> Option<Box<Neglected>> {
@@ -41,7 +41,7 @@ impl Model {
         })
     }
 
-    /// The name of a declared point, or of the origin of a body.
+    /// The name of a declared point, or `position` for the origin of a body or of ground.
     fn name_at(&self, taken: &Place) -> Option<&str> {
         let Sketch { arena, points, .. } = &self.sketch;
         let is_zero = |part: &Expr| arena.as_constant(*part).is_some_and(|value| value.is_zero());

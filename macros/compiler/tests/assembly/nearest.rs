@@ -292,8 +292,8 @@ fn order(one: [f64; 2], other: [f64; 2]) -> Option<core::cmp::Ordering> {
     None
 }
 
-/// Tests `all` random linkages of a kind, a third of them in the usual run, or as many as `REULEAUX_NEAREST` says, without those whose nearest
-/// assembly is too close to call.
+/// Tests random linkages of a kind: `all` in `.ci/run`, a third of them in the usual run, or as many as `REULEAUX_NEAREST` says. Those whose
+/// nearest assembly is too close to call do not count.
 pub(crate) fn look(kind: fn(&mut Random) -> Linkage, seed: u64, all: usize) {
     let count = std::env::var("REULEAUX_NEAREST").ok().and_then(|count| count.parse().ok()).unwrap_or(samples(all / 3, all));
     let mut random = Random(seed);

@@ -23,7 +23,7 @@ use std::panic::catch_unwind;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
-/// Number of cases of the usual run and of `.ci/run`.
+/// Numbers of cases: in the usual run, and in `.ci/run`.
 const CASES: [usize; 2] = [150, 600];
 
 /// Number of cases per thread: the fallback of `proc_macro2` keeps every source that a thread has read.

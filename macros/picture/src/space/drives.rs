@@ -103,7 +103,7 @@ impl Drawing<'_> {
         self.arrows.push((at, side));
         let middle = at + side * (reach + 9.0 + 11.0 * count as f64);
         let (level, _) = axis.frame();
-        // The direction of what rounding leaves of a vector says nothing.
+        // Along the line of sight only rounding errors are left, which have no direction.
         let x = Some(self.sight.camera.toward.across(axis)).filter(|x| x.norm() > 1e-9).and_then(Vec3::direction).unwrap_or(level);
         let circle = [x, axis.cross(x)];
         let mut pen = self.pen(&title);

@@ -337,6 +337,7 @@ fn no_scene_leads_to_a_panic() {
     let mut drawn = 0;
     let rounds = samples(60, 400);
     for round in 0..rounds {
+        // Few wild scenes can be drawn.
         let is_wild = round % 3 == 0;
         let scenes = [(); 2].map(|()| anything(&mut chance, is_wild));
         for scene in &scenes {
