@@ -133,3 +133,42 @@ fn ends_of_functions(tokens: TokenStream, found: &mut Vec<(String, usize, usize)
         found.extend(body.map(|body| (name.to_string(), line(token.span()), line(body.span_close()))));
     }
 }
+
+/// rustc warns about capitals in the names of fields unless the struct allows them: that of the mechanism, and those of components.
+#[test]
+fn structs_allow_capitals_where_parameters_have_them() {
+    let source = "mechanism Arms {
+        component Arm(P: Point) {
+            param R: Length = 100mm;
+            param speed: AngularVelocity = 1rad_s;
+            body link { point A = (R, 0mm); }
+            joint o = revolute(P, link.position);
+            drive turn = drive_angle(link, speed * t);
+            output tip = link.A;
+        }
+        param L: Length = 1m;
+        ground { point O = (L, 0m); }
+        part arm = Arm(ground.O);
+    }";
+    let expanded = |source: &str| {
+        let file: syn::File = syn::parse2(reuleaux_compiler::mechanism(source.parse().expect("tokens"))).expect("Rust");
+        let structs = file.items.into_iter().filter_map(|item| if let Item::Struct(item) = item { Some(item) } else { None });
+        let is_allowed =
+            |attribute: &syn::Attribute| attribute.meta.require_list().is_ok_and(|list| list.tokens.to_string() == "non_snake_case");
+        structs.map(|item| (item.ident.to_string(), item.attrs.iter().any(is_allowed))).collect::<Vec<_>>()
+    };
+    let named = |one: &str, two: &str| ["Arms", "ArmsArm"].map(str::to_owned).into_iter().zip([one == "L", two == "R"]).collect::<Vec<_>>();
+    for (one, two) in [("L", "R"), ("length", "R"), ("L", "radius")] {
+        let found = expanded(
+            &source
+                .replace("param L", &format!("param {one}"))
+                .replace("(L,", &format!("({one},"))
+                .replace("param R", &format!("param {two}"))
+                .replace("(R,", &format!("({two},")),
+        );
+        let mut wanted = named(one, two);
+        wanted.retain(|(name, _)| found.iter().any(|(known, _)| known == name));
+        assert_eq!(wanted.len(), 2, "{found:?}");
+        assert!(wanted.iter().all(|each| found.contains(each)), "{found:?}, not {wanted:?}");
+    }
+}
