@@ -18,7 +18,7 @@ pub enum Home {
 }
 
 /// Words with their equivalents in the plane and in space.
-const HOMES: [(&[&str], Home, Home); 18] = [
+const HOMES: [(&[&str], Home, Home); 20] = [
     (
         &["hinge", "pin", "pivot", "rotary", "rotational", "bearing"],
         Home::Joint(&["revolute(P, Q)"]),
@@ -39,6 +39,16 @@ const HOMES: [(&[&str], Home, Home); 18] = [
     ),
     (
         &["rack", "pinion", "rack_pinion"],
+        Home::Joint(&["rack_pinion(pinion, rack, u, origin, R)"]),
+        Home::Joint(&["rack_pinion(angle, P, a, Q, radius)"]),
+    ),
+    (
+        &["rolling", "roll", "rolling_contact", "rolling_wheel"],
+        Home::Joint(&["rack_pinion(pinion, rack, u, origin, R)"]),
+        Home::Joint(&["rolling_disk(a, Q, b, radius)"]),
+    ),
+    (
+        &["winch", "drum", "hoist", "capstan"],
         Home::Joint(&["rack_pinion(pinion, rack, u, origin, R)"]),
         Home::Joint(&["rack_pinion(angle, P, a, Q, radius)"]),
     ),

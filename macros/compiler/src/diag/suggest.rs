@@ -9,7 +9,7 @@ const LONGEST: usize = 60;
 const ADDED: [&str; 9] = ["joint", "joints", "constraint", "force", "object", "connector", "mate", "element", "pair"];
 
 /// Words of the language with their synonyms elsewhere.
-const SYNONYMS: [(&str, &[&str]); 88] = [
+const SYNONYMS: [(&str, &[&str]); 97] = [
     ("Point", &["position", "location", "place"]),
     ("Number", &["f32", "f64", "float", "double", "real", "scalar", "int", "integer", "i32", "i64", "u32", "u64", "usize"]),
     ("Length", &["m", "mm", "cm", "distance", "position", "displacement", "millimeter", "millimetre", "meter", "metre"]),
@@ -41,7 +41,7 @@ const SYNONYMS: [(&str, &[&str]); 88] = [
     ("damping", &["c", "d"]),
     ("center", &["centre", "com", "cog", "centroid", "center_of_mass", "centre_of_mass"]),
     ("inertia", &["moment_of_inertia"]),
-    ("rolling_disk", &["rolling_disc", "rolling_wheel", "wheel_contact"]),
+    ("rolling_disk", &["rolling_disc", "rolling_wheel", "wheel_contact", "rolling", "roll", "rolling_contact"]),
     ("rolling_ball", &["rolling_sphere"]),
     ("knife_edge", &["skate", "blade"]),
     ("screw", &["lead_screw", "ball_screw", "helical", "helix"]),
@@ -51,15 +51,69 @@ const SYNONYMS: [(&str, &[&str]); 88] = [
     ("point", &["marker", "vertex", "location"]),
     ("axis", &["direction", "vector"]),
     ("spherical", &["ball", "ball_joint", "globe"]),
-    ("universal", &["hooke", "cardan", "u_joint"]),
+    ("universal", &["hooke", "cardan", "u_joint", "gimbal"]),
     ("constant_velocity", &["homokinetic", "rzeppa", "cv_joint", "convel"]),
     ("cylindrical", &["cylinder"]),
-    ("drive_rotation", &["rotation_driver", "drive_rotate"]),
+    (
+        "drive_rotation",
+        &["rotation_driver", "drive_rotate", "drive_velocity", "drive_angular_velocity", "drive_speed", "drive_rate", "rotate"],
+    ),
+    (
+        "drive_rotation",
+        &["drive_motor", "drive_hinge", "drive_revolute", "drive_rotary", "drive_joint", "drive_crank", "drive_rpm", "rotation"],
+    ),
+    (
+        "drive_angle",
+        &["drive_motor", "drive_hinge", "drive_revolute", "drive_rotary", "drive_joint", "drive_crank", "drive_rpm", "rotation"],
+    ),
+    (
+        "drive_translation",
+        &["drive_slider", "drive_slide", "drive_prismatic", "drive_linear", "drive_piston", "drive_stroke", "drive_cylinder"],
+    ),
+    (
+        "drive_along",
+        &["drive_slider", "drive_slide", "drive_prismatic", "drive_linear", "drive_piston", "drive_stroke", "drive_translational"],
+    ),
+    ("drive_distance", &["drive_cylinder", "drive_length", "drive_ram"]),
+    ("drive_x", &["drive_point", "drive_position", "drive_xy", "drive_xyz", "drive_path"]),
+    (
+        "distance",
+        &[
+            "fixed_distance",
+            "constant_distance",
+            "rigid_link",
+            "tie",
+            "tie_rod",
+            "link_rod",
+            "massless_rod",
+            "rope",
+            "cable",
+            "point_on_circle",
+        ],
+    ),
+    ("belt", &["timing_belt", "toothed_belt", "crossed_belt", "belt_drive", "chain_drive", "cable_drive"]),
+    ("planetary", &["epicyclic", "planetary_gear", "planetary_gears"]),
     ("revolute", &["continuous", "concentric", "coincident", "turning", "pin", "hinge", "pivot", "rotary", "rotational"]),
-    ("translational", &["linear_guide", "linear_bearing", "prismatic", "slider", "slide", "linear", "sliding"]),
-    ("weld", &["lock", "bonded", "rigid", "fixed", "fix", "clamp"]),
+    ("translational", &["telescopic", "telescope", "linear_guide", "linear_bearing", "prismatic", "slider", "slide", "linear", "sliding"]),
+    ("weld", &["ground", "anchor", "lock", "bonded", "rigid", "fixed", "fix", "clamp"]),
     ("drive_relative_angle", &["motor", "actuator", "servo"]),
-    ("gear_pair", &["bevel_gear", "bevel_gears", "worm_gear", "worm", "common_gear", "coupler", "gear", "gears", "spur"]),
+    (
+        "gear_pair",
+        &[
+            "bevel_gear",
+            "bevel_gears",
+            "worm_gear",
+            "worm",
+            "bevel",
+            "gearbox",
+            "harmonic_drive",
+            "common_gear",
+            "coupler",
+            "gear",
+            "gears",
+            "spur",
+        ],
+    ),
     ("involute_mesh", &["gear_mesh", "gears_mesh", "spur_gears", "spur_gear", "involute", "involute_gears", "teeth", "tooth"]),
     ("rack_pinion", &["rack", "pinion"]),
     ("m", &["meter", "meters", "metre", "metres"]),
@@ -97,7 +151,7 @@ const SYNONYMS: [(&str, &[&str]); 88] = [
     ("modified_trapezoidal", &["modtrap", "mod_trap", "modified_trapezoid", "trapezoid", "trapezoidal"]),
     ("polynomial_345", &["poly345", "poly_345", "polynomial_5", "quintic"]),
     ("polynomial_4567", &["poly4567", "poly_4567", "polynomial_7", "septic"]),
-    ("drive_angle", &["drive_velocity", "drive_angular_velocity", "drive_speed", "rotate"]),
+    ("drive_angle", &["drive_velocity", "drive_angular_velocity", "drive_speed", "drive_rate", "rotate"]),
 ];
 
 /// Dimensions with their usual names.
@@ -128,14 +182,15 @@ pub(crate) fn nearest<'a>(typed: &str, known: impl Iterator<Item = &'a str>) -> 
     }
     // Any two single letters are one replacement apart; that does not make them similar.
     let limit = if typed.len() < 2 { 0 } else { (typed.len() / 3).max(1) };
-    let is_synonym = |name: &str| {
-        let mut others = SYNONYMS.iter().filter(|(known, _)| *known == name).flat_map(|(_, others)| others.iter());
+    let errors_in_synonym = |name: &str| {
+        let others = SYNONYMS.iter().filter(|(known, _)| *known == name).flat_map(|(_, others)| others.iter());
+        let errors = others.map(|other| distance(&typed, &other.chars().collect::<Vec<char>>())).min()?;
         // One typing error in a long word.
-        others.any(|other| distance(&typed, &other.chars().collect::<Vec<char>>()) <= typed.len() / 6)
+        (errors <= typed.len() / 6).then_some(errors)
     };
     let scored = known.filter_map(|name| {
-        if is_synonym(name) {
-            return Some(((0, 0), name));
+        if let Some(errors) = errors_in_synonym(name) {
+            return Some(((0, errors), name));
         }
         let letters = letters(name);
         let excess = letters.len().abs_diff(typed.len());

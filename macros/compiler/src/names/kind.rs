@@ -19,7 +19,9 @@ pub(crate) fn unknown_kind(word: String, here: &[&str], ambient: Ambient, neares
         return ValueFact::only_elsewhere(meant.clone(), Some(typed), ambient).into();
     }
     let is_force = near.as_ref().is_some_and(|near| library::is_force(near));
-    let known = Known::of(library::constraints(ambient));
+    let begins_alike = |kind: &&str| kind.split('_').next() == word.split('_').next();
+    let (alike, others): (Vec<&str>, Vec<&str>) = library::constraints(ambient).partition(begins_alike);
+    let known = Known::of(alike.into_iter().chain(others));
     NameFact::UnknownConstraint { name: word, near, is_force, home, known }.into()
 }
 
