@@ -18,18 +18,22 @@ pub enum Home {
 }
 
 /// Words with their equivalents in the plane and in space.
-const HOMES: [(&[&str], Home, Home); 20] = [
+const HOMES: [(&[&str], Home, Home); 28] = [
     (
-        &["hinge", "pin", "pivot", "rotary", "rotational", "bearing"],
+        &["revolute", "hinge", "pin", "pivot", "rotary", "rotational", "bearing"],
         Home::Joint(&["revolute(P, Q)"]),
         Home::Joint(&["revolute(P, a, Q, b)"]),
     ),
     (
-        &["prismatic", "slider", "slide", "sliding", "linear", "guide"],
+        &["translational", "prismatic", "slider", "slide", "sliding", "linear", "guide"],
         Home::Joint(&["translational(u, P, Q)"]),
         Home::Joint(&["translational(P, a, Q, b)"]),
     ),
-    (&["slot", "groove", "track", "rail"], Home::Joint(&["point_on_line(P, u, Q)"]), Home::Joint(&["point_on_line(P, a, Q)"])),
+    (
+        &["point_on_line", "slot", "groove", "track", "rail"],
+        Home::Joint(&["point_on_line(P, u, Q)"]),
+        Home::Joint(&["point_on_line(P, a, Q)"]),
+    ),
     (&["fixed", "fix", "weld", "rigid", "clamp"], Home::Joint(&["weld(P, Q)"]), Home::Joint(&["weld(P, a, Q, b)"])),
     (&["gear", "gears", "spur", "mesh", "gear_pair"], Home::Joint(&["gear_pair(i, j, a, b)"]), Home::Joint(&["gear_pair(one, two, a, b)"])),
     (
@@ -61,6 +65,13 @@ const HOMES: [(&[&str], Home, Home); 20] = [
         Home::Joint(&["revolute(P, Q)"]),
         Home::Joint(&["constant_velocity(P, a, Q, b)"]),
     ),
+    (&["cylindrical"], Home::Joint(&["translational(u, P, Q)"]), Home::Joint(&["cylindrical(P, a, Q, b)"])),
+    (
+        &["screw", "lead_screw", "ball_screw", "helical"],
+        Home::Joint(&["translational(u, P, Q)"]),
+        Home::Joint(&["screw(P, a, Q, b, lead)"]),
+    ),
+    (&["distance", "tie_rod", "rigid_link", "rope", "cable"], Home::Joint(&["distance(P, Q, c)"]), Home::Joint(&["distance(P, Q, c)"])),
     (&["motor", "servo"], Home::Drive("drive_angle(b, C)"), Home::Drive("drive_rotation(angle, C)")),
     (&["spring"], Home::Force("spring(P, Q, stiffness)"), Home::Force("spring(P, Q, stiffness)")),
     (
@@ -68,7 +79,28 @@ const HOMES: [(&[&str], Home, Home); 20] = [
         Home::Force("motor(one, two, torque)"),
         Home::Force("motor(a, b, torque)"),
     ),
-    (&["force", "drive_force", "thrust"], Home::Force("actuator(P, Q, F)"), Home::Force("actuator(P, Q, F)")),
+    (&["force", "drive_force", "thrust", "actuator"], Home::Force("actuator(P, Q, F)"), Home::Force("actuator(P, Q, F)")),
+    (
+        &["spring_damper"],
+        Home::Force("spring_damper(P, Q, stiffness, rest, damping)"),
+        Home::Force("spring_damper(P, Q, stiffness, rest, damping)"),
+    ),
+    (
+        &["torsion_spring", "torsional_spring", "rotational_spring"],
+        Home::Force("torsion_spring(one, two, stiffness, rest)"),
+        Home::Force("torsion_spring(a, b, stiffness, rest)"),
+    ),
+    (
+        &["friction", "coulomb_friction"],
+        Home::Force("friction(P, u, Q, normal, coefficient, transition)"),
+        Home::Force("friction(P, u, Q, normal, coefficient, transition)"),
+    ),
+    (
+        &["contact", "impact", "stop_along"],
+        Home::Force("stop_along(P, u, Q, limit, force, depth)"),
+        Home::Force("stop_along(P, u, Q, limit, force, depth)"),
+    ),
+    (&["drag", "air_drag", "air_resistance"], Home::Force("drag(P, factor)"), Home::Force("drag(P, factor)")),
     (&["damper", "dashpot"], Home::Force("damper(P, Q, damping)"), Home::Force("damper(P, Q, damping)")),
     (&["crank", "piston", "link", "bar", "rod", "rocker", "coupler", "lever", "wheel", "plate", "arm", "block"], Home::Body, Home::Body),
 ];

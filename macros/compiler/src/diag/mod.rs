@@ -6,6 +6,7 @@
 mod code;
 mod elsewhere;
 mod fact;
+mod functions;
 mod home;
 mod kind;
 mod message;
@@ -19,6 +20,7 @@ pub use fact::{
     ArityFact, ArrayFact, AssemblyFact, Bound, Count, Demand, Driven, EquationFact, Fact, Forgotten, Gap, GrammarFact, JerkObstacle,
     JointValue, Known, MeantFor, MotionFact, NameFact, Neglected, NoPosition, SystemFact, Typed, ValueFact, Word,
 };
+pub(crate) use functions::foreign;
 pub use home::Home;
 pub(crate) use home::home;
 pub use kind::{Kind, Wanted};

@@ -3,7 +3,7 @@
 use super::Function as Numbered;
 use super::elaborate::Elaborator;
 use super::{Components, Name, Requirement};
-use crate::diag::{ArityFact, Fact, NameFact, Range, Typed, ValueFact, Wanted};
+use crate::diag::{ArityFact, Fact, NameFact, Range, Typed, ValueFact, Wanted, foreign};
 use crate::expr::spline::Table;
 use crate::expr::{Arena, Expr, Unary};
 use crate::library;
@@ -37,8 +37,12 @@ impl Elaborator<'_> {
             };
         }
         if !is_bound && !self.is_library_function(name) {
-            let near = self.similar_function(name, scope);
-            let is_declared = |word: &str| scope.space.is_some_and(|space| self.names.functions(space).any(|known| known == word));
+            let is_declared = |word: &str| {
+                let is_bound = scope.bound.iter().any(|(known, _)| known == word);
+                is_bound || scope.space.is_some_and(|space| self.names.functions(space).any(|known| known == word))
+            };
+            // `lerp` is not a misspelled `perp`.
+            let near = self.similar_function(name, scope).filter(|near| is_declared(near) || foreign(&name.to_string()).is_none());
             if let Some(meant) = near.as_ref().filter(|near| is_elsewhere(near, self.names.ambient) && !is_declared(near)) {
                 let typed = Typed { sort: "function", name: name.to_string() };
                 return self.refuse(name, ValueFact::only_elsewhere(meant.clone(), Some(typed), self.names.ambient));

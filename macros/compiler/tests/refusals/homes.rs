@@ -27,6 +27,12 @@ crate::refusals! {
     mechanism rolling: "mechanism M { body a { } joint r = «rolling»(a, ground); }" => "no constraint is called `rolling`\nhelp: write `rack_pinion(pinion, rack, u, origin, R)`";
     mechanism rolling_in_space: "mechanism M in space { body a { } joint r = «rolling»(a, ground); }" => "no constraint is called `rolling`\nhelp: did you mean `rolling_disk`?";
     mechanism winch: "mechanism M { body a { } joint r = «winch»(a, ground); }" => "no constraint is called `winch`\nhelp: write `rack_pinion(pinion, rack, u, origin, R)`";
+    mechanism revolute_as_an_item: "mechanism M { body a { } «revolute» h = revolute(ground.position, a.position); }" => "`revolute` is no item of a mechanism\nhelp: write `joint h = revolute(P, Q);`";
+    mechanism friction_as_an_item: "mechanism M { body a { } «friction» h = friction(ground.position, a.position); }" => "`friction` is no item of a mechanism\nhelp: write `force h = friction(P, u, Q, normal, coefficient, transition);`";
+    mechanism mass_as_an_item: "mechanism M { body a { } «mass» m = 2kg; }" => "`mass` belongs in a body\nhelp: write it there, as in `body b { mass = 2kg; inertia = 0.1kgm2; }`";
+    mechanism simulation_as_an_item: "mechanism M { body a { } «simulate» s = 2s; }" => "`simulate` is no item of a mechanism\nhelp: that is done in Rust, such as `mechanism.solve(t)` or `mechanism.sweep(times)`";
+    mechanism load_as_a_force: "mechanism M { body a { mass = 2kg; inertia = 0.1kgm2; } force f = «load»(a.position, 5N); }" => "no force is called `load`\nhelp: write where it acts, `{ at P: (0N, -5N); }` for a force at a point, `{ on b: 5Nm; }` for a torque on a body";
+    mechanism load_as_a_force_in_space: "mechanism M in space { body a { mass = 2kg; inertia = (0.1kgm2, 0.1kgm2, 0.1kgm2); } force f = «load»(a.position, 5N); }" => "no force is called `load`\nhelp: write where it acts, `{ at P: (0N, 0N, -5N); }` for a force at a point, `{ on b: (0Nm, 0Nm, 5Nm); }` for a torque on a body";
     mechanism slot_as_an_item: "mechanism M { ground { axis u = (1, 0); } body a { } «slot» h = slot(ground.position, a.position); }" => "`slot` is no item of a mechanism\nhelp: write `joint h = point_on_line(P, u, Q);`";
     mechanism slot_as_an_item_in_space: "mechanism M in space { body a { axis z = (0, 0, 1); } «slot» h = slot(ground.position, a.position); }" => "`slot` is no item of a mechanism\nhelp: write `joint h = point_on_line(P, a, Q);`";
     mechanism slot_as_a_joint: "mechanism M { ground { axis u = (1, 0); } body a { } joint h = «slot»(ground.position, a.position); }" => "no constraint is called `slot`\nhelp: write `point_on_line(P, u, Q)`";
@@ -89,5 +95,5 @@ crate::refusals! {
     mechanism concentric_of_cad: "mechanism M { ground { axis u = (1, 0); } body a { } joint h = «concentric»(ground.position, a.position); }" => "no constraint is called `concentric`\nhelp: did you mean `revolute`?";
     mechanism in_line_of_adams: "mechanism M { ground { axis u = (1, 0); } body a { } joint h = «InlineJoint»(ground.position, a.position); }" => "no constraint is called `InlineJoint`\nhelp: did you mean `point_on_line`?";
     mechanism worm_and_wheel: "mechanism M { ground { axis u = (1, 0); } body a { } joint h = «worm_gear»(ground.position, a.position); }" => "no constraint is called `worm_gear`\nhelp: did you mean `gear_pair`?";
-    mechanism contact_as_a_joint: "mechanism M { ground { axis u = (1, 0); } body a { } joint h = «contact»(ground.position, a.position); }" => "no constraint is called `contact`\nhelp: did you mean the force `stop_along`? write `force name = stop_along(…);`";
+    mechanism contact_as_a_joint: "mechanism M { ground { axis u = (1, 0); } body a { } joint h = «contact»(ground.position, a.position); }" => "no constraint is called `contact`\nhelp: write `force name = stop_along(P, u, Q, limit, force, depth);`";
 }

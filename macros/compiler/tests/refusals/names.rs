@@ -45,6 +45,10 @@ crate::refusals! {
     item unit_is_in_the_plural: "param a: Angle = «5degrees»;" => "no unit is called `degrees`\nhelp: did you mean `5deg`?";
     item constraint_by_another_name: "joint a = «pin»(ground.C, crank.A);" => "no constraint is called `pin`\nhelp: did you mean `revolute`?";
     item slide_by_another_name: "joint a = «prismatic»(ground.C, crank.A);" => "no constraint is called `prismatic`\nhelp: did you mean `translational`?";
+    item remainder_as_a_function: "output b = «fmod»(length, 2);" => "no function is called `fmod`: it jumps, where no derivative exists\nhelp: write `wrap(x)` for an angle within half a turn, or a law that repeats, such as `segments(…, periodic)`";
+    item interpolation_that_resembles_another_function: "output b = «lerp»(length, length);" => "no function is called `lerp`\nhelp: write `a + (b - a) * u`";
+    item limits_as_a_method: "output b = length.«clamp»(1m, 2m);" => "there are no methods here\nhelp: write `min(max(x, low), high)`";
+    item decimal_logarithm: "output b = «log10»(length / 1m);" => "no function is called `log10`\nhelp: write `ln(x) / ln(10)`";
     item power_as_a_function: "output b = «powi»(length, 2);" => "no function is called `powi`\nhelp: a power is written `a^b`";
     item hertz_is_ambiguous: "param a: AngularVelocity = «2Hz»;" => "no unit is called `Hz`\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`";
     item dimension_is_mistyped: "param a: «Lenght» = 100mm;" => "no dimension is called `Lenght`\nhelp: did you mean `Length`?";

@@ -1,8 +1,11 @@
 //! Messages about tokens that are not a valid declaration.
 
-use super::words::{did_you_mean, is_acceleration, is_power, is_rate, listed, shortened};
-use crate::diag::{GrammarFact, Home};
+use super::words::{did_you_mean, is_acceleration, is_rate, listed, shortened};
+use crate::diag::{GrammarFact, Home, foreign};
 use std::fmt::{Display, Formatter, Result};
+
+/// Words for what is done with a mechanism.
+const COMMANDS: [&str; 11] = ["solve", "solver", "simulate", "simulation", "run", "sweep", "time", "step", "plot", "animate", "animation"];
 
 /// Items of a mechanism.
 const ITEMS: [&str; 19] = [
@@ -155,6 +158,15 @@ impl Display for GrammarFact {
             GrammarFact::UnknownItem { word, .. } if word == "pub" => {
                 write!(f, "all of a mechanism is as public as the mechanism\nhelp: take `pub` away")
             }
+            GrammarFact::UnknownItem { word, .. } if ["mass", "inertia", "center"].contains(&word.as_str()) => {
+                write!(f, "`{word}` belongs in a body\nhelp: write it there, as in `body b {{ mass = 2kg; inertia = 0.1kgm2; }}`")
+            }
+            GrammarFact::UnknownItem { word, .. } if COMMANDS.contains(&word.as_str()) => {
+                write!(
+                    f,
+                    "`{word}` is no item of a mechanism\nhelp: that is done in Rust, such as `mechanism.solve(t)` or `mechanism.sweep(times)`"
+                )
+            }
             GrammarFact::UnknownItem { word, name, home: Some(home) } => {
                 let name = name.as_deref().unwrap_or("name");
                 write!(f, "`{word}` is no item of a mechanism\nhelp: write ")?;
@@ -246,11 +258,16 @@ impl Display for GrammarFact {
                 write!(f, "expected an expression, found `return`\nhelp: a segment that goes down is `fall(height, duration, law)`")
             }
             GrammarFact::DoubleStar => write!(f, "`**` is no operator\nhelp: a power is written `a^b`"),
-            GrammarFact::MethodCall { name } if is_power(name) => write!(f, "there are no methods here\nhelp: a power is written `a^b`"),
             GrammarFact::MethodCall { name } if PROPERTIES.contains(&name.as_str()) => {
                 write!(f, "`{name}` is a value, not a method\nhelp: write `.{name}` without parentheses, for its value at t")
             }
-            GrammarFact::MethodCall { name } => write!(f, "there are no methods here\nhelp: write `{name}(value)` for `value.{name}()`"),
+            GrammarFact::MethodCall { name } => {
+                write!(f, "there are no methods here\nhelp: ")?;
+                match foreign(name) {
+                    Some((_, instead)) => f.write_str(instead),
+                    None => write!(f, "write `{name}(value)` for `value.{name}()`"),
+                }
+            }
             GrammarFact::SpaceBeforeUnit { number, suffix, unit } => {
                 if crate::quantity::unit(&format!("{suffix}{unit}")).is_some() {
                     return write!(f, "a unit stands right behind its number\nhelp: write `{number}{unit}`");

@@ -16,6 +16,10 @@ impl Display for Word {
     }
 }
 
+/// Words for a force that is given from outside.
+const APPLIED: [&str; 9] =
+    ["load", "payload", "external_force", "applied_force", "point_force", "body_force", "point_load", "tip_force", "disturbance"];
+
 /// Names that other programs give to the force of gravity.
 const GRAVITY: [&str; 5] = ["gravity", "weight", "self_weight", "gravitational_field", "gravitation"];
 
@@ -108,13 +112,25 @@ impl Display for MotionFact {
                 let instead = if *ambient == Ambient::Plane { "(0, -9.81m_s2)" } else { "(0, 0, -9.81m_s2)" };
                 write!(f, "no force is called `{name}`: gravity acts on every mass\nhelp: write `gravity = {instead};` in its place")
             }
-            MotionFact::UnknownForce { name, near, laws, .. } => {
+            MotionFact::UnknownForce { name, near: None, ambient, .. } if APPLIED.contains(&name.to_lowercase().as_str()) => {
+                let [force, torque] = match ambient {
+                    Ambient::Plane => ["(0N, -5N)", "5Nm"],
+                    Ambient::Space => ["(0N, 0N, -5N)", "(0Nm, 0Nm, 5Nm)"],
+                };
+                write!(f, "no force is called `{name}`\nhelp: write where it acts, ")?;
+                write!(f, "`{{ at P: {force}; }}` for a force at a point, `{{ on b: {torque}; }}` for a torque on a body")
+            }
+            MotionFact::UnknownForce { name, near, laws, ambient } => {
                 write!(f, "no force is called `{name}`{}", did_you_mean(near))?;
                 write!(f, "\nnote: there are {}", listed(laws.iter().map(String::as_str)))?;
                 if near.is_some() {
                     return Ok(());
                 }
-                write!(f, "\nhelp: write out another one, such as `{{ at P: (0N, -5N); at Q: (0N, 5N); }}`")
+                let [one, two] = match ambient {
+                    Ambient::Plane => ["(0N, -5N)", "(0N, 5N)"],
+                    Ambient::Space => ["(0N, 0N, -5N)", "(0N, 0N, 5N)"],
+                };
+                write!(f, "\nhelp: write out another one, such as `{{ at P: {one}; at Q: {two}; }}`")
             }
             MotionFact::ForceForConstraint { force, word, name, instead } => {
                 write!(f, "`{force}` is a force, and a {word} ")?;

@@ -1,8 +1,8 @@
 //! Messages about names.
 
-use super::words::{declared, did_you_mean, first_of, is_acceleration, is_load, is_power, is_rate, is_sign, list, listed, shortened};
+use super::words::{declared, did_you_mean, first_of, is_acceleration, is_load, is_rate, list, listed, shortened};
 use crate::diag::elsewhere::equivalent;
-use crate::diag::{Home, NameFact, usual_dimension};
+use crate::diag::{Home, NameFact, foreign, usual_dimension};
 use crate::quantity::{Dim, Role};
 use std::fmt::{Display, Formatter, Result};
 
@@ -101,43 +101,12 @@ impl Display for NameFact {
                 let [kind, item] = declared(*is_force);
                 write!(f, "`{name}` is a {kind}, not a function\nhelp: write `{item} name = {name}(…);`")
             }
-            NameFact::UnknownFunction { name, .. } if is_power(name) => {
-                write!(f, "no function is called `{name}`\nhelp: a power is written `a^b`")
-            }
-            NameFact::UnknownFunction { name, .. } if ["length", "len", "magnitude", "modulus"].contains(&name.as_str()) => {
-                write!(f, "no function is called `{name}`\nhelp: the length of a vector is `norm(v)`")
-            }
-            NameFact::UnknownFunction { name, .. } if name == "angle" => {
-                write!(f, "no function is called `angle`\nhelp: the angle of a body is `body.angle`, that of a vector `direction(v)`")
-            }
-            NameFact::UnknownFunction { name, .. } if is_acceleration(name) => {
-                write!(f, "no function is called `{name}`")?;
-                write!(f, "\nhelp: an output is given with its rate and its acceleration; equations and forces contain none")
-            }
-            NameFact::UnknownFunction { name, .. } if is_sign(name) => {
-                write!(f, "no function is called `{name}`: it jumps at zero, where no derivative exists")?;
-                write!(f, "\nhelp: write `x / sqrt(x^2 + w^2)`, smooth over a small `w`, or `if x < 0 {{ -1 }} else {{ 1 }}`")
-            }
-            NameFact::UnknownFunction { name, .. } if name == "tanh" => {
-                write!(f, "no function is called `tanh`\nhelp: write `x / sqrt(1 + x^2)`, which leads from -1 to 1 as smoothly")
-            }
-            NameFact::UnknownFunction { name, .. } if name == "sum" => {
-                write!(
-                    f,
-                    "no function is called `sum`\nhelp: write `a + b`; a sum over an array is `let s[0] = x[0]; for i in 1..n {{ let s[i] = s[i - 1] + x[i]; }}`"
-                )
-            }
-            NameFact::UnknownFunction { name, .. } if ["deg", "degrees", "to_degrees"].contains(&name.as_str()) => {
-                write!(
-                    f,
-                    "no function is called `{name}`: angles have no unit inside a mechanism\nhelp: write `.to_degrees()` in Rust, where outputs are in rad"
-                )
-            }
-            NameFact::UnknownFunction { name, .. } if name == "jerk" => {
-                write!(f, "no function is called `jerk`\nhelp: write `output name = … with jerk;` for the third derivative of an output")
-            }
             NameFact::UnknownFunction { name, near: None, .. } => {
-                write!(f, "no function is called `{name}`\nhelp: declare it, such as `function {name}(x: Angle) -> Length = …;`")
+                write!(f, "no function is called `{name}`")?;
+                match foreign(name) {
+                    Some((reason, instead)) => write!(f, "{reason}\nhelp: {instead}"),
+                    None => write!(f, "\nhelp: declare it, such as `function {name}(x: Angle) -> Length = …;`"),
+                }
             }
             NameFact::UnknownFunction { name, near, .. } => write!(f, "no function is called `{name}`{}", did_you_mean(near)),
             NameFact::UnknownShape { name, near: Some(near), .. } => write!(f, "no shape is called `{name}`\nhelp: write `{near}`"),

@@ -129,16 +129,6 @@ pub(super) fn equation(row: usize, of: usize) -> String {
     if of == 1 { "the equation".to_owned() } else { format!("equation {row} of {of}") }
 }
 
-/// True for the names of power functions in other languages.
-pub(super) fn is_power(name: &str) -> bool {
-    ["pow", "powi", "powf", "power", "sqr", "square", "squared"].contains(&name)
-}
-
-/// True for the names of the function of the sign in other languages.
-pub(super) fn is_sign(name: &str) -> bool {
-    ["sign", "signum", "sgn", "copysign"].contains(&name)
-}
-
 /// True for words for a velocity.
 pub(super) fn is_rate(name: &str) -> bool {
     ["rate", "velocity", "speed", "vel", "dot"].contains(&name)

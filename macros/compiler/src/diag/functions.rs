@@ -1,0 +1,58 @@
+//! Functions of other languages, with their equivalents here.
+
+/// Names of functions, the reason why there is none of these names, if it is not obvious, and what to write.
+const FUNCTIONS: [(&[&str], &str, &str); 28] = [
+    (&["pow", "powi", "powf", "power", "sqr", "square", "squared"], "", "a power is written `a^b`"),
+    (&["cbrt"], "", "a power is written `x^(1/3)`"),
+    (&["hypot"], "", "write `sqrt(a^2 + b^2)`"),
+    (&["length", "len", "mag", "magnitude", "modulus"], "", "the length of a vector is `norm(v)`"),
+    (&["normalize", "normalise", "normalized", "unit_vector"], "", "the direction of a vector is `unit(v)`"),
+    (&["vec", "vec2", "vec3", "vector", "point"], "", "a vector is written `(x, y)`, in space `(x, y, z)`"),
+    (&["angle"], "", "the angle of a body is `body.angle`, that of a vector `direction(v)`"),
+    (&["time", "now"], "", "the time is `t`"),
+    (&["acceleration", "accel", "ddot"], "", "an output is given with its rate and its acceleration; equations and forces contain none"),
+    (&["jerk"], "", "write `output name = … with jerk;` for the third derivative of an output"),
+    (&["integral", "integrate"], "", "add up the values of an output over a sweep, in Rust"),
+    (
+        &["sign", "signum", "sgn", "copysign"],
+        ": it jumps at zero, where no derivative exists",
+        "write `x / sqrt(x^2 + w^2)`, smooth over a small `w`, or `if x < 0 { -1 } else { 1 }`",
+    ),
+    (
+        &["floor", "ceil", "round", "trunc", "fract", "fmod", "modulo", "rem"],
+        ": it jumps, where no derivative exists",
+        "write `wrap(x)` for an angle within half a turn, or a law that repeats, such as `segments(…, periodic)`",
+    ),
+    (
+        &["pulse", "square_wave", "sawtooth"],
+        ": it jumps, where no derivative exists",
+        "write a law that repeats, such as `segments(…, periodic)`, or `if x < 0 { a } else { b }`",
+    ),
+    (&["if_else", "ifelse", "iif", "iff", "select", "choose"], "", "write `if x < 0 { a } else { b }`"),
+    (&["clamp", "clip", "saturate", "saturation", "limit"], "", "write `min(max(x, low), high)`"),
+    (&["lerp", "mix"], "", "write `a + (b - a) * u`"),
+    (
+        &["interp", "interp1", "interp1d", "interpolate", "lookup", "piecewise", "pchip", "akima"],
+        "",
+        "write `table(x, [(x0, y0), (x1, y1)])`, or `spline` for a smooth curve",
+    ),
+    (&["poly", "polyval", "polynomial"], "", "write it out, such as `a + b * x + c * x^2`"),
+    (&["log"], "", "the natural logarithm is `ln(x)`"),
+    (&["log10"], "", "write `ln(x) / ln(10)`"),
+    (&["log2"], "", "write `ln(x) / ln(2)`"),
+    (&["sinh"], "", "write `(exp(x) - exp(-x)) / 2`"),
+    (&["cosh"], "", "write `(exp(x) + exp(-x)) / 2`"),
+    (&["tanh"], "", "write `x / sqrt(1 + x^2)`, which leads from -1 to 1 as smoothly"),
+    (&["sum"], "", "write `a + b`; a sum over an array is `let s[0] = x[0]; for i in 1..n { let s[i] = s[i - 1] + x[i]; }`"),
+    (
+        &["deg", "degrees", "to_degrees", "rad2deg"],
+        ": angles have no unit inside a mechanism",
+        "write `.to_degrees()` in Rust, where outputs are in rad",
+    ),
+    (&["radians", "to_radians", "deg2rad"], "", "an angle in degrees has a unit, such as `30deg`; of a number it is `x * 1deg`"),
+];
+
+/// The reason and what to write instead of a function of another language; `None` for a name that is not in the table.
+pub(crate) fn foreign(name: &str) -> Option<(&'static str, &'static str)> {
+    FUNCTIONS.iter().find(|(names, ..)| names.contains(&name)).map(|(_, reason, instead)| (*reason, *instead))
+}
