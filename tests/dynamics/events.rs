@@ -214,3 +214,90 @@ fn a_force_without_a_value_is_not_taken_for_joints_that_lock() {
         }
     }
 }
+
+mechanism! {
+    /// A weight whose force jumps at a place, and at a time.
+    mechanism Switched {
+        param place: Length = 0.1m;
+        param time: Time = 0.3s;
+        body one { mass = 1kg; }
+        body two { mass = 1kg; }
+        joint rail = translational((1, 0), (0m, 0m), one.position);
+        joint other = translational((1, 0), (0m, 1m), two.position);
+        force by_place = { at one.position: (if one.x < place { 1N } else { -2N }, 0N); }
+        force by_time = { at two.position: (if t < time { 1N } else { -2N }, 0N); }
+        freedom first = one.x from 0m at 1m_s;
+        freedom second = two.x from 0m at 1m_s;
+    }
+}
+
+/// Where a force jumps, the error of a motion is of the size of the tolerance, not of its root.
+#[test]
+fn a_force_may_jump() {
+    for step in 0..10 {
+        let (place, time) = (0.1 + 0.013 * f64::from(step), 0.3 + 0.017 * f64::from(step));
+        let mechanism = Switched { place, time };
+        for tolerance in [1e-6, 1e-8, 1e-10, 1e-12] {
+            let mut state = mechanism.initial_state().expect("a state");
+            mechanism.advance(&mut state, 1.0, &mut Integrator::new(tolerance)).expect("a motion");
+            // x = t + t²/2 up to the jump, then with −2 m/s².
+            let at = |jump: f64| {
+                let (start, speed, rest) = (jump + 0.5 * jump * jump, 1.0 + jump, 1.0 - jump);
+                [start + speed * rest - rest * rest, speed - 2.0 * rest]
+            };
+            let jump = (1.0 + 2.0 * place).sqrt() - 1.0;
+            for (body, [x, speed]) in [(state.one(), at(jump)), (state.two(), at(time))] {
+                let error = (body.position.x - x).abs().max((body.velocity.x - speed).abs());
+                assert!(error < 2.0 * tolerance, "{place} {tolerance:e}: {error:e}");
+            }
+        }
+    }
+}
+
+mechanism! {
+    /// A rod under gravity, held at one end.
+    mechanism Rod {
+        param fall: Acceleration = 9.81m_s2;
+        gravity = (0, -fall);
+        body rod { mass = 1kg;  center = (0.5m, 0m); }
+        joint pin = revolute(ground.position, rod.position);
+        freedom turn = rod.angle from 0rad;
+    }
+}
+
+/// The rod strikes at −0.5 rad and rebounds with four fifths of its speed, until its flights are far shorter than a step.
+#[test]
+fn a_rod_rebounds_until_it_hardly_moves() {
+    for tolerance in [1e-4, 1e-6, 1e-8, 1e-11] {
+        let mechanism = Rod::default();
+        let (mut state, mut integrator) = (mechanism.initial_state().expect("a state"), Integrator::new(tolerance));
+        let mut speed = f64::INFINITY;
+        while speed > 1e-5 {
+            let until = state.t + 2.0;
+            let hit = mechanism.advance_until(&mut state, until, &mut integrator, |state| state.rod().angle + 0.5).expect("a motion");
+            assert!(hit, "{tolerance:e}: missed after a rebound with {speed:e} rad/s");
+            // Energy is kept between two strikes.
+            let struck = -state.rod().angular_velocity;
+            assert!(speed.is_infinite() || (struck / speed - 1.0).abs() < 1e-3 + tolerance, "{tolerance:e}: {struck:e} after {speed:e}");
+            speed = 0.8 * struck;
+            state.0.qd[2] = speed;
+            mechanism.accelerate(&mut state).expect("accelerations");
+        }
+    }
+}
+
+/// A first step need not be shorter than the time can tell.
+#[test]
+fn calls_may_be_short_against_the_time() {
+    let in_single = Rod::<f32> { fall: 9.81 };
+    let mut single = in_single.initial_state().expect("a state");
+    for (time, short) in [(1.0, 1e-5), (10.0, 1e-4), (100.0, 1e-3)] {
+        single.0.t = time;
+        in_single.advance(&mut single, time + short, &mut Integrator::new(1e-5)).expect("a motion");
+    }
+    let mut double = Rod::default().initial_state().expect("a state");
+    for (time, short) in [(1.0, 1e-14), (100.0, 1e-12), (1e4, 1e-10)] {
+        double.0.t = time;
+        Rod::default().advance(&mut double, time + short, &mut Integrator::new(1e-10)).expect("a motion");
+    }
+}

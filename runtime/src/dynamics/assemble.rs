@@ -100,15 +100,15 @@ where
     S: Dynamics<T, N, I, M, R>,
 {
     let mut reached = Reached::empty();
-    close_but_for(mechanism, None, known, place, &mut reached)?;
+    close_but_for(mechanism, (T::ZERO, None), known, place, &mut reached)?;
     Ok(reached.pivots)
 }
 
-/// The same, but for a fraction of given residuals.
+/// The same at any time, but for given departures: Φ and J u − ν keep these values.
 #[inline(never)]
-fn close_but_for<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+pub(super) fn close_but_for<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
-    left: Option<(T, &SVector<T, R>)>,
+    (t, departures): (T, Option<&[SVector<T, R>; 2]>),
     known: Option<&Pivots<T, R, I>>,
     place: (&mut SVector<T, N>, &mut SVector<T, N>),
     reached: &mut Reached<T, R, I>,
@@ -118,9 +118,10 @@ where
     S: Dynamics<T, N, I, M, R>,
 {
     let equations = |q: &SVector<T, N>, found: &mut Constraints<T, R, I>| {
-        mechanism.initial(q, T::ZERO, found);
-        if let Some((fraction, open)) = left {
-            found.phi = linear::moved(&found.phi, -fraction, open);
+        mechanism.initial(q, t, found);
+        if let Some([open, faster]) = departures {
+            found.phi = linear::moved(&found.phi, T::of(-1.0), open);
+            found.nu = linear::moved(&found.nu, T::of(1.0), faster);
         }
     };
     project_onto(mechanism, known, place, equations, reached)
@@ -268,8 +269,8 @@ where
         let next = smaller(done + part, T::of(1.0));
         let (mut place, mut speeds) = (*q, *qd);
         // The rest of the residuals at the declared start is left open.
-        let left = Some((T::of(1.0) - next, &open));
-        let found = close_but_for(mechanism, left, None, (&mut place, &mut speeds), &mut reached);
+        let left = [linear::scaled(&open, T::of(1.0) - next), SVector::from_element(T::ZERO)];
+        let found = close_but_for(mechanism, (T::ZERO, Some(&left)), None, (&mut place, &mut speeds), &mut reached);
         if found.is_ok() && largest_change([&*q, &place], &S::INTEGRATED, &lengths) <= T::of(FAR) {
             (*q, *qd, done, part) = (place, speeds, next, part * T::of(2.0));
         } else {

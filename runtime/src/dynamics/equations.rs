@@ -53,6 +53,10 @@ pub trait Dynamics<T: Scalar, const N: usize, const I: usize, const M: usize, co
     /// The same for all equations that hold at t = 0.
     fn initial(&self, q: &SVector<T, N>, t: T, found: &mut Constraints<T, R, I>);
 
+    /// By how much a state misses each equation at t = 0, from all its entries: Φ and J u − ν of the equations of freedoms, 0 for those between
+    /// integrated coordinates.
+    fn departures(&self, q: &SVector<T, N>, qd: &SVector<T, N>, t: T) -> [SVector<T, R>; 2];
+
     /// If a redundant equation does not hold: the joint of the equation with the largest residual, and this residual.
     fn misfit(&self, _q: &SVector<T, N>, _t: T) -> Option<(&'static str, T)> {
         None

@@ -60,6 +60,7 @@ where
         return Err(Stopped::NotFinite { time: from.t + *part * whole });
     }
     looks.at_turns(look, |part| exactly(part).map(|found| found.1))?;
+    looks.soon(look);
     let looks = looks.all();
     let Some(mut low) = looks.first().copied() else { return Ok(None) };
     for (number, high) in looks.iter().enumerate().skip(1) {

@@ -3,13 +3,14 @@
 use core::marker::PhantomData;
 
 use super::accelerate::lengths;
+use super::changed::accelerate;
 use super::equations::Dynamics;
 use super::event::first_event;
 use super::explicit::Explicit;
 use super::jump::no_speed_jumps;
 use super::method::Method;
 use super::places::{largest, picked};
-use super::project::{Reached, refresh};
+use super::project::Reached;
 use super::rank::{keeps_rank, too_short};
 use super::step::{error, land};
 use super::stiff::Stiff;
@@ -38,6 +39,9 @@ pub struct Integrator<T = f64, K = Explicit> {
     pub rejected: usize,
     /// Number of times that accelerations were computed.
     pub evaluations: usize,
+    /// Longest step so far, in s.
+    #[doc(hidden)]
+    pub longest_made: T,
     /// Time and value of the event that stopped the motion last.
     #[doc(hidden)]
     pub stopped: Option<(T, T)>,
@@ -61,6 +65,7 @@ impl<T: Scalar> Integrator<T> {
             accepted: 0,
             rejected: 0,
             evaluations: 0,
+            longest_made: T::ZERO,
             stopped: None,
             method: PhantomData,
         }
@@ -72,8 +77,8 @@ impl<T: Scalar> Integrator<T, Stiff> {
     /// RODAS). Springs and dampers whose oscillations have died out do not bound their length.
     #[must_use]
     pub fn stiff(tolerance: T) -> Self {
-        let Integrator { tolerance, longest, most, step, fastest, accepted, rejected, evaluations, .. } = Integrator::new(tolerance);
-        Self { tolerance, longest, most, step, fastest, accepted, rejected, evaluations, stopped: None, method: PhantomData }
+        let Integrator { longest, most, step, fastest, accepted, rejected, evaluations, longest_made, .. } = Integrator::new(tolerance);
+        Self { tolerance, longest, most, step, fastest, accepted, rejected, evaluations, longest_made, stopped: None, method: PhantomData }
     }
 }
 
@@ -133,13 +138,11 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
         if !rest.is_finite() {
             return Err(Stopped::NotFinite { time: t });
         }
-        if rest == T::ZERO {
-            return Ok(());
-        }
-        refresh(mechanism, state)?;
-        if self.step == T::ZERO {
-            // From rest a long first step would miss a pulse that comes later.
-            self.step = smaller(first_step(mechanism, state), T::of(FIRST) * rest.abs()).without_derivatives();
+        accelerate(mechanism, state)?;
+        if self.step == T::ZERO && rest != T::ZERO {
+            // From rest a long first step would miss a pulse that comes later; one that rounds to no time makes no way.
+            let first = smaller(first_step(mechanism, state), T::of(FIRST) * rest.abs());
+            self.step = first.max(T::of(SOONEST) * T::EPSILON * state.t.abs()).without_derivatives();
         }
         Ok(())
     }
@@ -235,7 +238,7 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
             // If the joints do not allow the trial state, the step is too long.
             let mut error_and_speed = (T::of(f64::INFINITY), self.fastest);
             let tried = K::trial(mechanism, state, h).and_then(|trial| {
-                error_and_speed = error(mechanism, state, &trial, h, (self.tolerance, self.fastest));
+                error_and_speed = error(mechanism, state, &trial, h, (self.tolerance, self.fastest, self.longest_made));
                 let is_accepted = error_and_speed.0 <= T::of(1.0);
                 if is_accepted {
                     let tolerance = (self.tolerance, self.fastest);
@@ -249,6 +252,7 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
                 keeps_rank::<K, T, S, N, I, M, R>(mechanism, (state, reached.as_ref()), (&next, &there))?;
                 *reached = Some(there);
                 (self.accepted, self.fastest) = (self.accepted + 1, fastest);
+                self.longest_made = self.longest_made.max(h.without_derivatives().abs());
                 let grown = wanted * factor::<T, K>(error, 6.0);
                 // A last step, which was cut to end at `t`, may lengthen the next one, but not shorten it.
                 self.step = if is_last { self.step.abs().max(h.without_derivatives().abs() * factor::<T, K>(error, 6.0)) } else { grown };
@@ -270,6 +274,9 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
 
 /// Longest first step, as a fraction of the time to be covered.
 const FIRST: f64 = 0.01;
+
+/// Shortest first step, times ε t.
+const SOONEST: f64 = 8.0;
 
 /// Change of the step size for an error relative to the tolerance: its eighth or fourth root, with reserve.
 fn factor<T: Scalar, K: Method>(error: T, most: f64) -> T {

@@ -5,6 +5,12 @@ use crate::number::Scalar;
 /// How often an event is looked at in a step.
 pub(super) const LOOKS: usize = 8;
 
+/// Looks at ever shorter parts of a step that begins where the event is zero: it may leave zero and come back at once.
+const SOON: usize = 40;
+
+/// Most looks: at equal parts, where the event turns back between them, and soon after its zero.
+const MOST: usize = 2 * LOOKS + 2;
+
 /// Most further looks for the place where an event turns back.
 const NEARER: usize = 8;
 
@@ -27,14 +33,14 @@ pub(super) fn changes<T: Scalar>(one: T, two: T) -> bool {
 
 /// Looks in the order of time.
 pub(super) struct Looks<T> {
-    all: [Look<T>; 2 * LOOKS + 1],
+    all: [Look<T>; MOST],
     count: usize,
 }
 
 impl<T: Scalar> Looks<T> {
     /// Looks at equal parts of a step.
     pub(super) fn new(look: impl Fn(usize, T) -> T) -> Self {
-        let (mut all, mut part) = ([(T::ZERO, T::ZERO); 2 * LOOKS + 1], T::ZERO);
+        let (mut all, mut part) = ([(T::ZERO, T::ZERO); MOST], T::ZERO);
         for (number, entry) in all.iter_mut().enumerate().take(LOOKS + 1) {
             *entry = (part, look(number, part));
             // Exact: the number of looks is a power of two.
@@ -46,6 +52,29 @@ impl<T: Scalar> Looks<T> {
     /// The looks.
     pub(super) fn all(&self) -> &[Look<T>] {
         self.all.get(..self.count).unwrap_or_default()
+    }
+
+    /// Looks also soon after a beginning at which the event is zero, if it leaves zero to the other side than where the second look sees it.
+    ///
+    /// It does if looks at ever shorter parts are on the other side and halve with the parts, which rounding errors do not.
+    pub(super) fn soon(&mut self, look: impl Fn(T) -> T) {
+        let [(_, first), (whole, later)] = [0, 1].map(|number| self.all.get(number).copied().unwrap_or((T::ZERO, T::ZERO)));
+        if first != T::ZERO {
+            return;
+        }
+        let (mut part, mut sooner) = (whole, [(T::ZERO, T::ZERO); SOON]);
+        for entry in &mut sooner {
+            part = part * T::of(0.5);
+            *entry = (part, look(part));
+        }
+        let side = if later > T::ZERO { T::of(-1.0) } else { T::of(1.0) };
+        let halves = |one: T, two: T| side * two > T::ZERO && side * one > T::of(1.5) * side * two && side * one < T::of(2.5) * side * two;
+        let leaves =
+            |looks: &&[Look<T>]| matches!(looks, [_, (_, one), (_, two), (_, three)] if halves(*one, *two) && halves(*two, *three));
+        let found = sooner.windows(4).find(leaves).and_then(|looks| looks.get(1));
+        if let Some(found) = found {
+            self.insert(*found);
+        }
     }
 
     /// Looks also where the event turns back before zero.

@@ -17,6 +17,7 @@
 
 mod accelerate;
 mod assemble;
+mod changed;
 mod checks;
 mod dense;
 mod equations;
@@ -49,7 +50,8 @@ pub use sweep::MotionSweep;
 #[doc(hidden)]
 pub mod motion {
     pub use super::assemble::initial_state;
+    pub use super::changed::{accelerate, settle};
     pub use super::checks::misfit;
-    pub use super::project::{complete, enter, refresh, refresh_inlined};
+    pub use super::project::{enter, refresh_inlined};
     pub use super::step::fixed_step;
 }

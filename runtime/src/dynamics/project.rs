@@ -166,7 +166,7 @@ pub(super) fn levels<const R: usize, const K: usize>(levels: &[[bool; 2]; R]) ->
 }
 
 /// Sets the accelerations of a state, and all its entries that follow from the integrated ones.
-pub fn refresh<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+pub(super) fn refresh<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     state: &mut State<T, N>,
 ) -> Result<(), Stopped<T>>
@@ -199,25 +199,6 @@ where
     }
     (state.q, state.qd, state.qdd) = (q, qd, qdd);
     state.parameter_hash = mechanism.parameter_hash();
-    Ok(())
-}
-
-/// Completes positions and speeds of a state that changed since it was solved: they follow from those that are integrated.
-#[cold]
-#[inline(never)]
-pub fn complete<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
-    mechanism: &S,
-    state: &mut State<T, N>,
-) -> Result<(), Stopped<T>>
-where
-    T: Scalar,
-    S: Dynamics<T, N, I, M, R>,
-{
-    let [q, qd, _] = mechanism.complete(&state.q, &state.qd, &state.qdd, state.t);
-    if !(are_finite(q.as_slice()) && are_finite(qd.as_slice())) {
-        return Err(Stopped::NotFinite { time: state.t });
-    }
-    (state.q, state.qd) = (q, qd);
     Ok(())
 }
 

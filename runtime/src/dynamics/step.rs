@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use super::accelerate::{lengths, redundant, singular};
+use super::changed::accelerate;
 use super::checks::holds;
 use super::equations::Dynamics;
 use super::explicit::Explicit;
@@ -27,7 +28,7 @@ where
 {
     // Parameters may have changed since the accelerations were computed.
     let mut start = state.clone();
-    refresh(mechanism, &mut start)?;
+    accelerate(mechanism, &mut start)?;
     let trial = Explicit::trial(mechanism, &start, h)?;
     let mut reached = Reached::empty();
     let next = land(mechanism, (&start, None), &trial, h, (T::of(COARSEST), T::ZERO), &mut reached)?;
@@ -113,8 +114,11 @@ where
     largest(&picked(speeds, &S::INTEGRATED), &lengths(mechanism))
 }
 
-/// A speed counts as none if it takes a thousand steps for a radian, or for L.
+/// A speed counts as none if it takes a thousand of the longest steps for a radian, or for L.
 const SLOW: f64 = 1e-3;
+
+/// Times ε t: steps so short may have any error. Where a force jumps, its instant is not known better.
+const INSTANT: f64 = 64.0;
 
 /// Errors of steps add up: each may have this fraction of the tolerance.
 const EACH: f64 = 0.02;
@@ -130,12 +134,14 @@ const LOOSER: f64 = 10.0;
 const CANCELLED: f64 = 1e3;
 
 /// Estimated error of a step, relative to the tolerance, and the largest speed so far.
+///
+/// * `longest`: given, the longest step so far.
 pub(super) fn error<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     state: &State<T, N>,
     trial: &Trial<T, N, I>,
     h: T,
-    (tolerance, mut fastest): (T, T),
+    (tolerance, mut fastest, longest): (T, T, T),
 ) -> (T, T)
 where
     T: Scalar,
@@ -146,7 +152,10 @@ where
     fastest = fastest.max(speed(mechanism, &state.qd)).max(speed(mechanism, moving));
     let (before, after) = (picked(&state.q, &S::INTEGRATED), picked(end, &S::INTEGRATED));
     let allowed = T::of(EACH) * tolerance;
-    let of_values = error_of_values([&before, &after], &trial.errors, &lengths, (allowed, fastest.max(T::of(SLOW) / h.abs())));
+    let is_instant = h.abs() <= T::of(INSTANT) * T::EPSILON * state.t.abs();
+    let jumped = if is_instant { largest_change([&state.qd, moving], &S::INTEGRATED, &lengths) } else { T::ZERO };
+    let scale = fastest.max(T::of(SLOW) / longest.max(h.abs())) + jumped / allowed;
+    let of_values = error_of_values([&before, &after], &trial.errors, &lengths, (allowed, scale));
     let of_derivatives = error_of_derivatives(mechanism, state, trial, h, (tolerance, fastest));
     (of_values.max(of_derivatives), fastest)
 }

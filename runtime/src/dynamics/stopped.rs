@@ -38,6 +38,17 @@ pub enum Stopped<T> {
         /// The unit of the residual, `"m"`, `"rad"` or `"m²"` for example; empty if the joint has rows of several units.
         unit: &'static str,
     },
+    /// A state was changed, or parameters were, and its equations hold nowhere near it.
+    StaysOpen {
+        /// Time in s.
+        time: T,
+        /// The joint or freedom that stays open furthest.
+        joint: &'static str,
+        /// Its residual.
+        residual: T,
+        /// The unit of the residual, `"m"`, `"rad"` or `"m²"` for example; empty if the joint has rows of several units.
+        unit: &'static str,
+    },
     /// An equation depends on the others: the mechanism can go on in several ways, or its joints lock.
     Singular {
         /// Time in s.
@@ -109,6 +120,13 @@ impl<T: Scalar + Display> Display for Stopped<T> {
             Stopped::DoesNotHold { time, joint, residual, unit } => {
                 let off = Measure(residual.to_f64().abs(), unit);
                 write!(f, "at t = {time} s the redundant joint `{joint}` does not fit: it is off by {off}")
+            }
+            Stopped::StaysOpen { time, joint, residual, unit } => {
+                let open = Measure(residual.to_f64().abs(), unit);
+                write!(
+                    f,
+                    "at t = {time} s the changed state cannot be closed: `{joint}` stays open by {open}; change positions or parameters less"
+                )
             }
             Stopped::Singular { time, joint } => {
                 write!(

@@ -74,6 +74,13 @@ impl<T, const N: usize> DerefMut for State<T, N> {
     }
 }
 
+impl<T, const N: usize> State<T, N> {
+    /// True if entries may have been changed since it was solved.
+    pub(crate) fn was_changed(&self) -> bool {
+        self.parameter_hash == 0
+    }
+}
+
 impl<T: Real, const N: usize> State<T, N> {
     /// The motion of coordinate `index`; NaN where there is none with this index.
     #[must_use]

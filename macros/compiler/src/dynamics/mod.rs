@@ -56,6 +56,8 @@ pub struct Dynamics {
     pub redundant: Vec<MotionRow>,
     /// Equations of the freedoms at t = 0.
     pub initial: Vec<MotionRow>,
+    /// Φ and Φ_u u − ν of each of them, from all entries of the state.
+    pub departures: Vec<[Expr; 2]>,
     /// Where joints are redundant, the equations that are checked: the index of their joint, and Φ in rad or in characteristic lengths to this
     /// power.
     pub checked: Vec<(usize, Expr, u8)>,
@@ -203,9 +205,10 @@ fn reduce(system: &System, structure: &Structure, balance: &Balance) -> Dynamics
     let pivots: Vec<Vec<usize>> = solved.iter().map(pivots).collect();
     let kinks = kinks(&mut arena, of_positions.iter().filter(|equation| !equation.is_initial));
     let by_spins = system.by_spins.as_ref().map(|by_spins| BySpins::plain(&mut arena, &mut known, by_spins));
+    let (of_freedoms, of_joints): (Vec<&Equation>, Vec<&Equation>) = of_speeds.iter().partition(|equation| equation.is_initial);
+    let departures = initial.iter().chain(of_freedoms.iter().copied()).map(|equation| departure(&mut arena, equation)).collect();
     let mut embedding = Embedding::new(&mut arena, (0..system.coordinates.len()).collect());
     let left = embedding.eliminate(&constraints, &pivots);
-    let (of_freedoms, of_joints): (Vec<&Equation>, Vec<&Equation>) = of_speeds.iter().partition(|equation| equation.is_initial);
     let rows = left.iter().map(|row| &constraints[*row]).chain(of_joints);
     let rows: Vec<MotionRow> = rows.map(|equation| embedding.row(equation)).collect();
     let initial = initial.iter().chain(of_freedoms).map(|equation| embedding.row(equation)).collect();
@@ -232,6 +235,7 @@ fn reduce(system: &System, structure: &Structure, balance: &Balance) -> Dynamics
         rows,
         redundant,
         initial,
+        departures,
         checked,
         kinks,
         mass,
@@ -243,6 +247,18 @@ fn reduce(system: &System, structure: &Structure, balance: &Balance) -> Dynamics
         zero,
         by_spins,
     }
+}
+
+/// Φ and Φ_u u − ν.
+fn departure(arena: &mut Arena, equation: &Equation) -> [Expr; 2] {
+    let phi = equation.phi().unwrap_or_else(|| arena.integer(0));
+    let mut rate = arena.neg(equation.nu);
+    for (speed, factor) in &equation.jacobian {
+        let speed = arena.leaf(Leaf::Speed(*speed as u32));
+        let term = arena.mul(*factor, speed);
+        rate = arena.add(rate, term);
+    }
+    [phi, rate]
 }
 
 /// As which power of a length a residual is judged.

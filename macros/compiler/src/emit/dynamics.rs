@@ -80,6 +80,7 @@ impl Emitter<'_> {
         let (jacobian, mass) = (entered("jacobian", &code.pattern, jacobian), entered("mass", &code.masses, mass));
         let [number_m, number_i, number_r] = [m, i, r].map(number);
         let accelerations = code.accelerations.as_ref().map(|routine| self.accelerations(code, routine, (n, i)));
+        let departures = self.departures(code, n);
         let checked = (!code.checked_rows.is_empty()).then(|| self.checks(code, n));
         let sides = (!code.kinks.results.is_empty()).then(|| self.sides(code, n));
         let state = fast_lines(self.model, &code.arena, &code.state);
@@ -96,6 +97,7 @@ impl Emitter<'_> {
                 #mass
                 #found.forces = ::core::convert::From::from([#(#forces),*]);
             }
+            #departures
             #checked
             #sides
             #accelerations
@@ -106,6 +108,29 @@ impl Emitter<'_> {
                 [#(#parts),*]
             }
             fn energy(&self, #q: &#of_state, #qd: &#of_state, #t: T) -> ::reuleaux::Energy<T> { #energy }
+        }
+    }
+
+    /// By how much a state misses the equations of freedoms.
+    fn departures(&self, code: &DynamicsCode, n: usize) -> TokenStream {
+        let [q, qd, t] = ["q", "qd", "t"].map(local);
+        let RoutinePrinter { reads, steps, results } = fast_lines(self.model, &code.arena, &code.departures);
+        let (phi, rates) = results.split_at(results.len() / 2);
+        let (of_state, of_rows, first) = (vector_type(n), vector_type(code.initial_rows.len()), code.rows);
+        let written = [phi, rates].into_iter().enumerate().flat_map(|(level, results)| {
+            results.iter().enumerate().map(move |(row, result)| {
+                let [level, row] = [level, first + row].map(number);
+                quote!(found[#level][#row] = #result;)
+            })
+        });
+        quote! {
+            fn departures(&self, #q: &#of_state, #qd: &#of_state, #t: T) -> [#of_rows; 2] {
+                #reads
+                #steps
+                let mut found = [::reuleaux::zeros(), ::reuleaux::zeros()];
+                #(#written)*
+                found
+            }
         }
     }
 
@@ -203,7 +228,7 @@ impl Emitter<'_> {
             /// # Errors
             /// Why there are none.
             pub fn accelerate(&self, state: &mut #state<T>) -> ::core::result::Result<(), #failure> {
-                ::reuleaux::motion::refresh(self, &mut state.0)
+                ::reuleaux::motion::accelerate(self, &mut state.0)
             }
             /// Takes a state to time `t` (s), by steps whose error is within the tolerance of the integrator.
             ///

@@ -189,7 +189,7 @@ fn accelerate_with_loads(state: &TokenStream, loads: &Ident, are_together: bool)
     let together = are_together.then(|| {
         quote! {
             if !::reuleaux::Dynamics::is_current(self, state) {
-                ::reuleaux::motion::complete(self, &mut state.0)?;
+                ::reuleaux::motion::settle(self, &mut state.0)?;
             }
             if let ::core::option::Option::Some((accelerations, multipliers, actions)) = self.accelerations_with_loads(state) {
                 ::reuleaux::motion::enter(self, &mut state.0, accelerations)?;

@@ -29,6 +29,8 @@ pub struct DynamicsCode {
     pub constraints: Routine,
     /// The same of all equations at t = 0.
     pub initial: Routine,
+    /// Φ, then J u − ν, of the equations at t = 0 that are not between integrated coordinates, from all entries of the state.
+    pub departures: Routine,
     /// Row and column of each entry of J of all equations at t = 0 that is not always zero.
     pub pattern: Vec<(usize, usize)>,
     /// How many of these entries, the first, are of equations between integrated coordinates.
@@ -87,6 +89,7 @@ pub(super) fn code(model: &Model, system: &System, dynamics: &Dynamics) -> Dynam
         checked: line(checked.iter().map(|(_, phi, _)| *phi).collect()),
         constraints: line(kinematics(rows)),
         initial: line(kinematics(&all)),
+        departures: line([0, 1].into_iter().flat_map(|level| dynamics.departures.iter().map(move |both| both[level])).collect()),
         pattern: pattern.collect(),
         entries: entries(rows).len(),
         balance: line(entries(rows).into_iter().chain(gamma).chain(of_masses).chain(forces.iter().copied()).collect()),
