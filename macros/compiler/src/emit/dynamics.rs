@@ -223,7 +223,8 @@ impl Emitter<'_> {
             pub fn initial_state(&self) -> ::core::result::Result<#state<T>, #failure> {
                 ::reuleaux::motion::initial_state(self).map(#state)
             }
-            /// Makes the accelerations of a state those of its positions and speeds, which have to fulfil the equations.
+            /// Makes the accelerations of a state those of its positions and speeds. If these were changed, or if parameters were, the freedoms
+            /// keep their values and rates, and all others follow from them first.
             ///
             /// # Errors
             /// Why there are none.
