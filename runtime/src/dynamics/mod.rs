@@ -52,6 +52,6 @@ pub mod motion {
     pub use super::assemble::initial_state;
     pub use super::changed::{accelerate, settle};
     pub use super::checks::misfit;
-    pub use super::project::{enter, refresh_inlined};
+    pub use super::project::enter;
     pub use super::step::fixed_step;
 }

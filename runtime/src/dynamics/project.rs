@@ -174,19 +174,6 @@ where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    refresh_inlined(mechanism, state)
-}
-
-/// As [`refresh`], inlined into its caller, which then computes sines and determinants once.
-#[inline(always)]
-pub fn refresh_inlined<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
-    mechanism: &S,
-    state: &mut State<T, N>,
-) -> Result<(), Stopped<T>>
-where
-    T: Scalar,
-    S: Dynamics<T, N, I, M, R>,
-{
     let found = match mechanism.accelerations(&state.q, &state.qd, state.t) {
         Some(found) => found.data.0[0],
         None => eliminated(mechanism, (&state.q, &state.qd), state.t, &mut None)?,

@@ -118,7 +118,7 @@ where
 const SLOW: f64 = 1e-3;
 
 /// Times ε t: steps so short may have any error. Where a force jumps, its instant is not known better.
-const INSTANT: f64 = 64.0;
+const INSTANT: f64 = 8.0;
 
 /// Errors of steps add up: each may have this fraction of the tolerance.
 const EACH: f64 = 0.02;
