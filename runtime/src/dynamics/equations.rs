@@ -55,7 +55,9 @@ pub trait Dynamics<T: Scalar, const N: usize, const I: usize, const M: usize, co
 
     /// By how much a state misses each equation at t = 0, from all its entries: Φ and J u − ν of the equations of freedoms, 0 for those between
     /// integrated coordinates.
-    fn departures(&self, q: &SVector<T, N>, qd: &SVector<T, N>, t: T) -> [SVector<T, R>; 2];
+    fn departures(&self, _q: &SVector<T, N>, _qd: &SVector<T, N>, _t: T) -> [SVector<T, R>; 2] {
+        [zeros(), zeros()]
+    }
 
     /// If a redundant equation does not hold: the joint of the equation with the largest residual, and this residual.
     fn misfit(&self, _q: &SVector<T, N>, _t: T) -> Option<(&'static str, T)> {

@@ -10,7 +10,7 @@
 ///   z_a · d − lead · angle / 2π − offset = 0   1 row, m
 /// ```
 ///
-/// `lead` is the displacement of a whole turn, positive for a right-handed thread. Removes five freedoms; exact over any number of turns.
+/// `lead` is the displacement of a whole turn, such as `5mm`, positive for a right-handed thread. Removes five freedoms; exact over any number of turns.
 /// Degenerate case: both points on the same body, which is refused.
 ///
 /// Reference: Haug, section 9.4.

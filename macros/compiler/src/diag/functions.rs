@@ -1,7 +1,7 @@
 //! Functions of other languages, with their equivalents here.
 
 /// Names of functions, the reason why there is none of these names, if it is not obvious, and what to write.
-const FUNCTIONS: [(&[&str], &str, &str); 28] = [
+const FUNCTIONS: [(&[&str], &str, &str); 31] = [
     (&["pow", "powi", "powf", "power", "sqr", "square", "squared"], "", "a power is written `a^b`"),
     (&["cbrt"], "", "a power is written `x^(1/3)`"),
     (&["hypot"], "", "write `sqrt(a^2 + b^2)`"),
@@ -37,6 +37,17 @@ const FUNCTIONS: [(&[&str], &str, &str); 28] = [
         "write `table(x, [(x0, y0), (x1, y1)])`, or `spline` for a smooth curve",
     ),
     (&["poly", "polyval", "polynomial"], "", "write it out, such as `a + b * x + c * x^2`"),
+    (
+        &["minimum_jerk", "min_jerk", "s_curve", "scurve", "trapezoidal_velocity", "point_to_point"],
+        "",
+        "write a law that leads from 0 to 1, such as `height * polynomial_345(t / 2s)`",
+    ),
+    (&["polar", "cis"], "", "write `(r * cos(angle), r * sin(angle))`"),
+    (
+        &["rpy", "euler", "euler_angles", "quaternion", "quat"],
+        "",
+        "an orientation is a product of turns, such as `turn((0, 0, 1), yaw) * turn((0, 1, 0), pitch)`",
+    ),
     (&["log"], "", "the natural logarithm is `ln(x)`"),
     (&["log10"], "", "write `ln(x) / ln(10)`"),
     (&["log2"], "", "write `ln(x) / ln(2)`"),

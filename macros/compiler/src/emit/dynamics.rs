@@ -80,7 +80,7 @@ impl Emitter<'_> {
         let (jacobian, mass) = (entered("jacobian", &code.pattern, jacobian), entered("mass", &code.masses, mass));
         let [number_m, number_i, number_r] = [m, i, r].map(number);
         let accelerations = code.accelerations.as_ref().map(|routine| self.accelerations(code, routine, (n, i)));
-        let departures = self.departures(code, n);
+        let departures = (!code.departures.results.is_empty()).then(|| self.departures(code, n));
         let checked = (!code.checked_rows.is_empty()).then(|| self.checks(code, n));
         let sides = (!code.kinks.results.is_empty()).then(|| self.sides(code, n));
         let state = fast_lines(self.model, &code.arena, &code.state);

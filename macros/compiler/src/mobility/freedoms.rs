@@ -15,10 +15,10 @@ const MOST_TRIED: usize = 100;
 
 /// Refuses a mechanism with too few equations. `under`: given, the underdetermined unknowns and their equations.
 pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern, matching: &Matching, under: &DmPart, diag: &mut Diag) {
-    if let Some((body, joints)) = passive_spin(model, system) {
-        let name = &model.bodies[body].name;
+    if let Some((bodies, joints)) = passive_spin(model, system) {
         let joints = joints.map(|joint| model.joints[joint].name.to_string());
-        diag.refuse::<()>(name, SystemFact::PassiveSpin { body: name.to_string(), joints });
+        let names = bodies.iter().map(|body| model.bodies[*body].name.to_string()).collect();
+        diag.refuse::<()>(&model.bodies[bodies[0]].name, SystemFact::PassiveSpin { bodies: names, joints });
         return;
     }
     let has_masses = model.bodies.iter().any(|body| !body.masses.is_empty());
@@ -37,7 +37,7 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern,
         let has_place = !has_no_place(&first);
         let example = if has_place { drive_for(model, system, *first) } else { pin(model, body(first)) };
         let coordinates = in_none.iter().map(|unknown| system.name(model, *unknown)).collect();
-        let freedom = has_masses.then(|| system.name(model, *first));
+        let freedom = has_masses.then(|| freed(model, system, *first));
         diag.refuse::<()>(name, SystemFact::FreeCoordinates { body: name.to_string(), coordinates, has_place, example, freedom });
         return;
     }
@@ -58,30 +58,75 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern,
         name: model.name.to_string(),
         count: Box::new(count),
         forgotten: Box::new(forgotten),
-        candidates: shown.iter().map(|unknown| system.name(model, *unknown)).collect(),
+        candidates: driven(model, system, shown),
         example: chosen.first().map_or(String::new(), |unknown| drive_for(model, system, *unknown)),
-        freedom: chosen.first().filter(|_| has_masses).map(|unknown| format!("freedom name = {};", system.name(model, *unknown))),
+        freedom: chosen.first().filter(|_| has_masses).map(|unknown| format!("freedom name = {};", freed(model, system, *unknown))),
     };
     diag.refuse::<()>(&model.name, fact);
 }
 
-/// In space: a body that two joints hold by one point each and nothing else, so that it can turn about the line through both.
-fn passive_spin(model: &Model, system: &System) -> Option<(usize, [usize; 2])> {
+/// In space: a body, or bodies that are joined to each other, which two joints hold by one point each and nothing else, so that they can turn
+/// about the line through both.
+fn passive_spin(model: &Model, system: &System) -> Option<(Vec<usize>, [usize; 2])> {
     let declared = system.declared.as_ref()?;
-    (0..model.bodies.len()).find_map(|body| {
-        let own =
-            declared.equations.iter().filter(|equation| equation.jacobian.iter().any(|(speed, _)| Ambient::Space.body_of(*speed) == body));
-        let joints: Vec<usize> = own.map(|equation| equation.joint).collect::<BTreeSet<usize>>().into_iter().collect();
-        let is_ball = |joint: &usize| {
-            let of_it =
-                |(other, _, relation): &&(usize, usize, Relationship)| other == joint && matches!(relation, Relationship::Coincident(..));
-            model.joints[*joint].residuals.len() == 3 && model.space.relations.iter().any(|relation| of_it(&relation))
-        };
-        match joints.as_slice() {
-            [one, two] if [one, two].into_iter().all(is_ball) => Some((body, [*one, *two])),
+    let mut joined: BTreeMap<usize, BTreeSet<usize>> = BTreeMap::new();
+    for equation in &declared.equations {
+        joined.entry(equation.joint).or_default().extend(equation.jacobian.iter().map(|(speed, _)| Ambient::Space.body_of(*speed)));
+    }
+    let is_ball = |joint: usize| {
+        let of_it =
+            |(other, _, relation): &&(usize, usize, Relationship)| *other == joint && matches!(relation, Relationship::Coincident(..));
+        model.joints[joint].residuals.len() == 3 && model.space.relations.iter().any(|relation| of_it(&relation))
+    };
+    let (balls, others): (Vec<_>, Vec<_>) = joined.into_iter().partition(|(joint, _)| is_ball(*joint));
+    (0..model.bodies.len()).find_map(|first| {
+        let mut own = BTreeSet::from([first]);
+        loop {
+            let touching: Vec<&BTreeSet<usize>> =
+                others.iter().map(|(_, bodies)| bodies).filter(|bodies| !bodies.is_disjoint(&own)).collect();
+            // A joint of one body holds it to ground.
+            if touching.iter().any(|bodies| bodies.len() == 1) {
+                return None;
+            }
+            let more: BTreeSet<usize> = touching.into_iter().flatten().copied().filter(|body| !own.contains(body)).collect();
+            if more.is_empty() {
+                break;
+            }
+            own.extend(more);
+        }
+        let held: Vec<&(usize, BTreeSet<usize>)> = balls.iter().filter(|(_, bodies)| !bodies.is_disjoint(&own)).collect();
+        match held.as_slice() {
+            [(one, to), (two, from)] if [to, from].into_iter().all(|bodies| bodies.intersection(&own).count() == 1) => {
+                Some((own.into_iter().collect(), [*one, *two]))
+            }
             _ => None,
         }
     })
+}
+
+/// Names of coordinates that a drive could prescribe; of a body that turns in space, its orientation.
+fn driven(model: &Model, system: &System, unknowns: &[usize]) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for unknown in unknowns {
+        let coordinate = &system.coordinates[*unknown];
+        let name = match coordinate.role {
+            Role::Quaternion(_) => format!("{}.orientation", model.bodies[coordinate.body].name),
+            _ => system.name(model, *unknown),
+        };
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names
+}
+
+/// The expression of a freedom that a coordinate belongs to.
+fn freed(model: &Model, system: &System, unknown: usize) -> String {
+    let coordinate = &system.coordinates[unknown];
+    match coordinate.role {
+        Role::Quaternion(_) => format!("{}.angular_velocity", model.bodies[coordinate.body].name),
+        _ => system.name(model, unknown),
+    }
 }
 
 /// Unknowns that occur in no equation.

@@ -45,6 +45,12 @@ crate::refusals! {
     item unit_is_in_the_plural: "param a: Angle = «5degrees»;" => "no unit is called `degrees`\nhelp: did you mean `5deg`?";
     item constraint_by_another_name: "joint a = «pin»(ground.C, crank.A);" => "no constraint is called `pin`\nhelp: did you mean `revolute`?";
     item slide_by_another_name: "joint a = «prismatic»(ground.C, crank.A);" => "no constraint is called `prismatic`\nhelp: did you mean `translational`?";
+    item constant_of_rust: "param a: Length = «ARM»;" => "nothing is called `ARM` here\nhelp: constants of Rust are not seen: write the value, or set a `param` from Rust";
+    item axis_called_x: "body b { axis «x» = (1, 0); }" => "`x` has a meaning of its own in expressions\nhelp: choose another name, such as `u`";
+    item polar_coordinates: "output b = «polar»(length, crank.angle);" => "no function is called `polar`\nhelp: write `(r * cos(angle), r * sin(angle))`";
+    item motion_of_a_robot: "output b = «minimum_jerk»(t / 1s);" => "no function is called `minimum_jerk`\nhelp: write a law that leads from 0 to 1, such as `height * polynomial_345(t / 2s)`";
+    item decanewtons: "param a: Force = «3daN»;" => "no unit is called `daN`\nhelp: `1daN` is `10N`";
+    item hertz_in_small_letters: "param a: AngularVelocity = «3hz»;" => "no unit is called `hz`\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`";
     item remainder_as_a_function: "output b = «fmod»(length, 2);" => "no function is called `fmod`: it jumps, where no derivative exists\nhelp: write `wrap(x)` for an angle within half a turn, or a law that repeats, such as `segments(…, periodic)`";
     item interpolation_that_resembles_another_function: "output b = «lerp»(length, length);" => "no function is called `lerp`\nhelp: write `a + (b - a) * u`";
     item limits_as_a_method: "output b = length.«clamp»(1m, 2m);" => "there are no methods here\nhelp: write `min(max(x, low), high)`";

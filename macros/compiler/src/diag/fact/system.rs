@@ -12,7 +12,7 @@ pub enum SystemFact {
         example: String,
     },
     PassiveSpin {
-        body: String,
+        bodies: Vec<String>,
         joints: [String; 2],
     },
     VelocityDepends {

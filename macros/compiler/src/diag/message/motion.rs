@@ -219,7 +219,7 @@ impl Display for MotionFact {
             MotionFact::InputBesideFreedom { drive, input, freedom } => {
                 write!(f, "`{drive}` is driven by the input `{input}`, and {}", integrated(freedom))?;
                 write!(f, "\nnote: between two steps of a controller the input is not known, and integration needs it there")?;
-                write!(f, "\nhelp: drive by a law of `t`, or let the input be a force")
+                write!(f, "\nhelp: drive by a law of `t`, or by a `param` that is changed between two calls; or let the input be a force")
             }
             MotionFact::SliceBesideInput { output, input } => {
                 write!(f, "`{output}` cannot be solved for alone: what the input `{input}` was is kept in whole states")?;

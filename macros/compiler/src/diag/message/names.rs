@@ -40,6 +40,12 @@ impl Display for NameFact {
                     "nothing is called `loads` here\nnote: loads are computed for a state, in Rust\nhelp: write `mechanism.loads(&state)` there"
                 )
             }
+            NameFact::UnknownName { name, near: None, .. } if is_constant(name) => {
+                write!(
+                    f,
+                    "nothing is called `{name}` here\nhelp: constants of Rust are not seen: write the value, or set a `param` from Rust"
+                )
+            }
             NameFact::UnknownName { name, near, is_of_definition } => {
                 write!(f, "nothing is called `{name}` here{}", did_you_mean(near))?;
                 match usual_dimension(name).filter(|_| near.is_none()) {
@@ -140,8 +146,8 @@ impl Display for NameFact {
                     }
                 }
             }
-            NameFact::UnknownUnit { name, .. } if name == "Hz" => {
-                write!(f, "no unit is called `Hz`\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`")
+            NameFact::UnknownUnit { name, .. } if name.eq_ignore_ascii_case("Hz") => {
+                write!(f, "no unit is called `{name}`\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`")
             }
             NameFact::UnknownUnit { number, name, near } => {
                 if let Some(equivalent) = equivalent(name) {
@@ -201,7 +207,10 @@ impl Display for NameFact {
                     "`ground` is what stands still\nhelp: its points go into `ground {{ … }}`, without `body`; all else has another name"
                 )
             }
-            NameFact::Reserved { name } => write!(f, "`{name}` has a meaning of its own in expressions\nhelp: choose another name"),
+            NameFact::Reserved { name } => {
+                let other = if ["x", "y", "z"].contains(&name.as_str()) { ", such as `u`" } else { "" };
+                write!(f, "`{name}` has a meaning of its own in expressions\nhelp: choose another name{other}")
+            }
             NameFact::Generated { name } => {
                 let what = if name.starts_with(char::is_uppercase) { "constant" } else { "function" };
                 write!(f, "an output cannot be called `{name}`: a generated {what} has that name")?;
@@ -223,4 +232,9 @@ fn declaration(name: &str, dimension: &str, is_of_definition: bool) -> String {
     }
     let input = if dimension == "Angle" { format!(", or `input {name}: Angle;` if it is given at each step") } else { String::new() };
     format!("declare it, such as `param {name}: {dimension} = …;`{input}")
+}
+
+/// True for a name that is written as constants are in Rust.
+fn is_constant(name: &str) -> bool {
+    name.len() > 2 && name.chars().all(|letter| letter.is_ascii_uppercase() || letter.is_ascii_digit() || letter == '_')
 }

@@ -22,12 +22,15 @@ impl Display for SystemFact {
                 write!(f, "\nhelp: take two axes of one direction, such as those of the joint between them")
             }
             SystemFact::Repeats { joint, other } => write!(f, "`{joint}` demands the same as `{other}`\nhelp: take one of them away"),
-            SystemFact::PassiveSpin { body, joints: [one, two] } => {
-                write!(f, "`{body}` can turn about the line from `{one}` to `{two}`: each holds it by one point, and nothing else does")?;
+            SystemFact::PassiveSpin { bodies, joints: [one, two] } => {
+                let (it, them) = if bodies.len() == 1 { ("it", "the body") } else { ("them", "the bodies") };
                 write!(
                     f,
-                    "\nhelp: write `distance(…)` of the two points that it joins instead of the body, or make one of the joints `universal`"
-                )
+                    "{} can turn about the line from `{one}` to `{two}`: each holds {it} by one point, and nothing else does",
+                    list(bodies)
+                )?;
+                write!(f, "\nhelp: make one of the joints `universal`, or write `distance(…)` of the two points instead of {them}")?;
+                if bodies.len() > 1 { write!(f, ", for a length that is driven `drive_distance(…)`") } else { Ok(()) }
             }
             SystemFact::VelocityDepends { joint, row, of, is_drive, is_redundant } => {
                 let which = if *of == 1 { format!("`{joint}`") } else { format!("equation {row} of {of} of `{joint}`") };
@@ -160,6 +163,9 @@ impl Display for SystemFact {
                 match (missing, candidates.len()) {
                     (1, 1) => write!(f, "\nhelp: drive {}", list(candidates))?,
                     (1, _) => write!(f, "\nhelp: add a drive on one of {}", list(candidates))?,
+                    _ if candidates.iter().any(|name| name.ends_with(".orientation")) => {
+                        write!(f, "\nhelp: {or}add {missing} drives{or_joints}, for {}", list(candidates))?
+                    }
                     _ => {
                         write!(f, "\nhelp: {or}add {missing} drives{or_joints}; drives on {} go together", first_of(candidates, *missing))?
                     }
