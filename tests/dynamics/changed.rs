@@ -68,12 +68,13 @@ fn a_weight_on_a_slope_rebounds() {
 mechanism! {
     /// Two wheels in mesh; the freedom is the turn of the second.
     mechanism Wheels {
+        param speed: AngularVelocity = 1rad_s;
         body one { mass = 1kg;  inertia = 0.1kgm2; }
         body two { mass = 1kg;  inertia = 0.3kgm2; }
         joint left = revolute(ground.position, one.position);
         joint right = revolute((1m, 0m), two.position);
         joint mesh = gear_pair(one, two, 1, 2);
-        freedom turn = two.angle from 0rad at 1rad_s;
+        freedom turn = two.angle from 0rad at speed;
     }
 }
 
@@ -166,8 +167,47 @@ fn a_loop_follows_from_a_freedom_that_was_changed() {
     longer.advance(&mut unclosed, until, &mut integrator).unwrap();
     assert!(closed(&unclosed, 0.151));
     // One that reaches nowhere.
-    let stopped = Engine { rod: 0.02 }.advance(&mut state.clone(), until, &mut integrator);
-    assert!(matches!(stopped, Err(Stopped::StaysOpen { .. } | Stopped::Singular { .. })), "{stopped:?}");
+    let mut kept = before.clone();
+    let stopped = Engine { rod: 0.02 }.advance(&mut kept, until, &mut integrator).unwrap_err();
+    assert!(matches!(stopped, Stopped::StaysOpen { .. }) && stopped.to_string().contains("cannot be closed"), "{stopped}");
+    assert_eq!(kept, before);
+    // Not a number.
+    kept.0.q[2] = f64::NAN;
+    assert!(matches!(engine.accelerate(&mut kept), Err(Stopped::NotFinite { .. })));
+}
+
+/// The piston strikes, and strikes again: each time the crank keeps nine tenths of its speed.
+#[test]
+fn a_loop_rebounds_many_times() {
+    let engine = Engine::default();
+    let (mut state, mut integrator) = (engine.initial_state().unwrap(), Integrator::new(1e-10));
+    let mut energy = engine.energy(&state).kinetic;
+    let mut before = 0.0;
+    for _ in 0..20 {
+        let until = state.t + 50.0;
+        assert!(engine.advance_until(&mut state, until, &mut integrator, |state| state.piston().position.x - 0.12).unwrap());
+        assert!(state.t > before + 1e-3 && (engine.energy(&state).kinetic / energy - 1.0).abs() < 1e-8, "{}", state.t);
+        (before, energy) = (state.t, 0.81 * energy);
+        state.0.qd[2] *= -0.9;
+        engine.accelerate(&mut state).unwrap();
+        assert!((engine.energy(&state).kinetic / energy - 1.0).abs() < 1e-8);
+    }
+}
+
+/// Small changes count in single precision, too.
+#[test]
+fn a_small_change_counts_in_single_precision() {
+    let wheels = Wheels::<f32> { speed: 5e-4 };
+    let mut state = wheels.initial_state().unwrap();
+    state.0.qd[5] = -4e-4;
+    wheels.accelerate(&mut state).unwrap();
+    assert!((state.two().angular_velocity + 4e-4).abs() < 1e-10 && (state.one().angular_velocity.abs() - 8e-4).abs() < 1e-9);
+    // A rod that is longer by a thousandth.
+    let engine = Engine::<f32> { rod: 0.15 };
+    let mut state = engine.initial_state().unwrap();
+    Engine::<f32> { rod: 0.15015 }.accelerate(&mut state).unwrap();
+    let (x, angle) = (state.piston().position.x, state.crank().angle);
+    assert!(((x - 0.05 * angle.cos()).hypot(0.05 * angle.sin()) - 0.15015).abs() < 1e-7);
 }
 
 mechanism! {
@@ -183,7 +223,7 @@ mechanism! {
     }
 }
 
-/// Along a circle; afterwards along one of half its radius again, faster.
+/// Along a circle, and then, faster, along one of one and a half times its radius.
 #[test]
 fn a_driven_speed_may_be_changed_on_the_way() {
     let mut cart = Cart::default();

@@ -278,7 +278,9 @@ fn a_rod_rebounds_until_it_hardly_moves() {
             assert!(hit, "{tolerance:e}: missed after a rebound with {speed:e} rad/s");
             // Energy is kept between two strikes.
             let struck = -state.rod().angular_velocity;
-            assert!(speed.is_infinite() || (struck / speed - 1.0).abs() < 1e-3 + tolerance, "{tolerance:e}: {struck:e} after {speed:e}");
+            // Rounding of an angle of half a radian against the height of the last flights.
+            let bound = if tolerance > 1e-7 { 1e-3 } else { 1e-4 };
+            assert!(speed.is_infinite() || (struck / speed - 1.0).abs() < bound, "{tolerance:e}: {struck:e} after {speed:e}");
             speed = 0.8 * struck;
             state.0.qd[2] = speed;
             mechanism.accelerate(&mut state).expect("accelerations");
@@ -294,10 +296,12 @@ fn calls_may_be_short_against_the_time() {
     for (time, short) in [(1.0, 1e-5), (10.0, 1e-4), (100.0, 1e-3)] {
         single.0.t = time;
         in_single.advance(&mut single, time + short, &mut Integrator::new(1e-5)).expect("a motion");
+        assert_eq!(single.t, time + short);
     }
     let mut double = Rod::default().initial_state().expect("a state");
     for (time, short) in [(1.0, 1e-14), (100.0, 1e-12), (1e4, 1e-10)] {
         double.0.t = time;
         Rod::default().advance(&mut double, time + short, &mut Integrator::new(1e-10)).expect("a motion");
+        assert_eq!(double.t, time + short);
     }
 }

@@ -53,8 +53,9 @@ pub trait Dynamics<T: Scalar, const N: usize, const I: usize, const M: usize, co
     /// The same for all equations that hold at t = 0.
     fn initial(&self, q: &SVector<T, N>, t: T, found: &mut Constraints<T, R, I>);
 
-    /// By how much a state misses each equation at t = 0, from all its entries: Φ and J u − ν of the equations of freedoms, 0 for those between
+    /// By how much a state misses each equation at t = 0, the only function here that reads all its entries: Φ and J u − ν of the equations of freedoms, 0 for those between
     /// integrated coordinates.
+    #[doc(hidden)]
     fn departures(&self, _q: &SVector<T, N>, _qd: &SVector<T, N>, _t: T) -> [SVector<T, R>; 2] {
         [zeros(), zeros()]
     }

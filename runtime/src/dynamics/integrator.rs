@@ -12,7 +12,7 @@ use super::method::Method;
 use super::places::{largest, picked};
 use super::project::Reached;
 use super::rank::{keeps_rank, too_short};
-use super::step::{error, land};
+use super::step::{INSTANT, error, land};
 use super::stiff::Stiff;
 use super::stopped::Stopped;
 use super::tableau::Rates;
@@ -39,7 +39,7 @@ pub struct Integrator<T = f64, K = Explicit> {
     pub rejected: usize,
     /// Number of times that accelerations were computed.
     pub evaluations: usize,
-    /// Longest step so far, in s.
+    /// Longest step of all calls so far, in s.
     #[doc(hidden)]
     pub longest_made: T,
     /// Time and value of the event that stopped the motion last.
@@ -142,7 +142,7 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
         if self.step == T::ZERO && rest != T::ZERO {
             // From rest a long first step would miss a pulse that comes later; one that rounds to no time makes no way.
             let first = smaller(first_step(mechanism, state), T::of(FIRST) * rest.abs());
-            self.step = first.max(T::of(SOONEST) * T::EPSILON * state.t.abs()).without_derivatives();
+            self.step = first.max(T::of(INSTANT) * T::EPSILON * state.t.abs()).without_derivatives();
         }
         Ok(())
     }
@@ -227,6 +227,7 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
         let rest = t - state.t;
         let direction = if rest < T::ZERO { T::of(-1.0) } else { T::of(1.0) };
         let mut there = Reached::empty();
+        let mut is_shortened = false;
         loop {
             let wanted = smaller(self.step.abs(), self.longest.abs());
             let is_last = wanted * T::of(1.0 + 1e-6) >= rest.abs();
@@ -238,7 +239,7 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
             // If the joints do not allow the trial state, the step is too long.
             let mut error_and_speed = (T::of(f64::INFINITY), self.fastest);
             let tried = K::trial(mechanism, state, h).and_then(|trial| {
-                error_and_speed = error(mechanism, state, &trial, h, (self.tolerance, self.fastest, self.longest_made));
+                error_and_speed = error(mechanism, state, &trial, h, (self.tolerance, self.fastest), (self.longest_made, is_shortened));
                 let is_accepted = error_and_speed.0 <= T::of(1.0);
                 if is_accepted {
                     let tolerance = (self.tolerance, self.fastest);
@@ -263,6 +264,7 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
                 return Ok((next, rates, jumps));
             }
             self.rejected += 1;
+            is_shortened = true;
             let shorter = if tried.is_err() { T::of(0.2) } else { factor::<T, K>(error, 1.0) };
             self.step = h.without_derivatives().abs() * shorter;
             if self.step <= T::of(4.0) * T::EPSILON * state.t.abs() || self.step < T::of(SHORTEST) {
@@ -274,9 +276,6 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
 
 /// Longest first step, as a fraction of the time to be covered.
 const FIRST: f64 = 0.01;
-
-/// Shortest first step, times ε t.
-const SOONEST: f64 = 8.0;
 
 /// Change of the step size for an error relative to the tolerance: its eighth or fourth root, with reserve.
 fn factor<T: Scalar, K: Method>(error: T, most: f64) -> T {

@@ -5,8 +5,8 @@ use crate::number::Scalar;
 /// How often an event is looked at in a step.
 pub(super) const LOOKS: usize = 8;
 
-/// Looks at ever shorter parts of a step that begins where the event is zero: it may leave zero and come back at once.
-const SOON: usize = 40;
+/// Most halvings of the first part of a step that begins where the event is zero: it may leave zero and come back at once.
+const HALVINGS: usize = 40;
 
 /// Most looks: at equal parts, where the event turns back between them, and soon after its zero.
 const MOST: usize = 2 * LOOKS + 2;
@@ -54,7 +54,7 @@ impl<T: Scalar> Looks<T> {
         self.all.get(..self.count).unwrap_or_default()
     }
 
-    /// Looks also soon after a beginning at which the event is zero, if it leaves zero to the other side than where the second look sees it.
+    /// Looks also soon after a beginning at which the event is zero, if it leaves zero to the other side than where the next look sees it.
     ///
     /// It does if looks at ever shorter parts are on the other side and halve with the parts, which rounding errors do not.
     pub(super) fn soon(&mut self, look: impl Fn(T) -> T) {
@@ -62,18 +62,17 @@ impl<T: Scalar> Looks<T> {
         if first != T::ZERO {
             return;
         }
-        let (mut part, mut sooner) = (whole, [(T::ZERO, T::ZERO); SOON]);
-        for entry in &mut sooner {
-            part = part * T::of(0.5);
-            *entry = (part, look(part));
-        }
         let side = if later > T::ZERO { T::of(-1.0) } else { T::of(1.0) };
         let halves = |one: T, two: T| side * two > T::ZERO && side * one > T::of(1.5) * side * two && side * one < T::of(2.5) * side * two;
-        let leaves =
-            |looks: &&[Look<T>]| matches!(looks, [_, (_, one), (_, two), (_, three)] if halves(*one, *two) && halves(*two, *three));
-        let found = sooner.windows(4).find(leaves).and_then(|looks| looks.get(1));
-        if let Some(found) = found {
-            self.insert(*found);
+        let (mut part, mut sooner) = (whole, [(whole, later); 3]);
+        for _ in 0..HALVINGS {
+            part = part * T::of(0.5);
+            sooner = [sooner[1], sooner[2], (part, look(part))];
+            let [one, two, three] = sooner.map(|look| look.1);
+            if halves(one, two) && halves(two, three) {
+                self.insert(sooner[0]);
+                return;
+            }
         }
     }
 

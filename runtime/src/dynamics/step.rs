@@ -14,6 +14,7 @@ use super::project::{Reached, project, refresh};
 use super::rank::{is_regular, keeps_rank, too_short};
 use super::stopped::Stopped;
 use crate::number::Scalar;
+use crate::number::order::smaller;
 use crate::state::State;
 
 /// One step of fixed size, without an estimate of its error.
@@ -117,8 +118,11 @@ where
 /// A speed counts as none if it takes a thousand of the longest steps for a radian, or for L.
 const SLOW: f64 = 1e-3;
 
-/// Times ε t: steps so short may have any error. Where a force jumps, its instant is not known better.
-const INSTANT: f64 = 8.0;
+/// Times ε t: the instant at which a force jumps is not known better.
+pub(super) const INSTANT: f64 = 8.0;
+
+/// Within an instant a speed may change by this fraction of the largest one.
+const JUMP: f64 = 0.1;
 
 /// Errors of steps add up: each may have this fraction of the tolerance.
 const EACH: f64 = 0.02;
@@ -136,12 +140,14 @@ const CANCELLED: f64 = 1e3;
 /// Estimated error of a step, relative to the tolerance, and the largest speed so far.
 ///
 /// * `longest`: given, the longest step so far.
+/// * `is_shortened`: given, true if a longer step was tried.
 pub(super) fn error<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     state: &State<T, N>,
     trial: &Trial<T, N, I>,
     h: T,
-    (tolerance, mut fastest, longest): (T, T, T),
+    (tolerance, mut fastest): (T, T),
+    (longest, is_shortened): (T, bool),
 ) -> (T, T)
 where
     T: Scalar,
@@ -152,9 +158,10 @@ where
     fastest = fastest.max(speed(mechanism, &state.qd)).max(speed(mechanism, moving));
     let (before, after) = (picked(&state.q, &S::INTEGRATED), picked(end, &S::INTEGRATED));
     let allowed = T::of(EACH) * tolerance;
-    let is_instant = h.abs() <= T::of(INSTANT) * T::EPSILON * state.t.abs();
+    let slowest = fastest.max(T::of(SLOW) / longest.max(h.abs()));
+    let is_instant = is_shortened && h.abs() <= T::of(INSTANT) * T::EPSILON * state.t.abs();
     let jumped = if is_instant { largest_change([&state.qd, moving], &S::INTEGRATED, &lengths) } else { T::ZERO };
-    let scale = fastest.max(T::of(SLOW) / longest.max(h.abs())) + jumped / allowed;
+    let scale = slowest + smaller(jumped, T::of(JUMP) * slowest) / allowed;
     let of_values = error_of_values([&before, &after], &trial.errors, &lengths, (allowed, scale));
     let of_derivatives = error_of_derivatives(mechanism, state, trial, h, (tolerance, fastest));
     (of_values.max(of_derivatives), fastest)

@@ -25,7 +25,7 @@ pub(crate) use step::Step;
 /// Position, velocity and acceleration of a mechanism at one instant.
 ///
 /// Its fields are those of [`Values`]: `state.q`, `state.t` and so on. They can be modified: the next step then starts from the modified
-/// values, and the state no longer counts as solved.
+/// values (where motion is integrated, from those of its freedoms), and the state no longer counts as solved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State<T, const N: usize> {
     pub(crate) values: Values<T, N>,

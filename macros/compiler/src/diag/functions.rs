@@ -3,12 +3,16 @@
 /// Names of functions, the reason why there is none of these names, if it is not obvious, and what to write.
 const FUNCTIONS: [(&[&str], &str, &str); 31] = [
     (&["pow", "powi", "powf", "power", "sqr", "square", "squared"], "", "a power is written `a^b`"),
-    (&["cbrt"], "", "a power is written `x^(1/3)`"),
+    (&["cbrt"], "", "for x > 0 it is the power `x^(1/3)`"),
     (&["hypot"], "", "write `sqrt(a^2 + b^2)`"),
     (&["length", "len", "mag", "magnitude", "modulus"], "", "the length of a vector is `norm(v)`"),
     (&["normalize", "normalise", "normalized", "unit_vector"], "", "the direction of a vector is `unit(v)`"),
     (&["vec", "vec2", "vec3", "vector", "point"], "", "a vector is written `(x, y)`, in space `(x, y, z)`"),
-    (&["angle"], "", "the angle of a body is `body.angle`, that of a vector `direction(v)`"),
+    (
+        &["angle"],
+        "",
+        "the angle of a body in the plane is `body.angle`, that of a vector `direction(v)`; in space a hinge has one, `hinge.angle`",
+    ),
     (&["time", "now"], "", "the time is `t`"),
     (&["acceleration", "accel", "ddot"], "", "an output is given with its rate and its acceleration; equations and forces contain none"),
     (&["jerk"], "", "write `output name = … with jerk;` for the third derivative of an output"),
@@ -34,7 +38,7 @@ const FUNCTIONS: [(&[&str], &str, &str); 31] = [
     (
         &["interp", "interp1", "interp1d", "interpolate", "lookup", "piecewise", "pchip", "akima"],
         "",
-        "write `table(x, [(x0, y0), (x1, y1)])`, or `spline` for a smooth curve",
+        "write `table(x, [(x0, y0), (x1, y1), (x2, y2)])`, which is smooth",
     ),
     (&["poly", "polyval", "polynomial"], "", "write it out, such as `a + b * x + c * x^2`"),
     (

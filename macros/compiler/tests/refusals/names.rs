@@ -31,7 +31,7 @@ crate::refusals! {
     item unit_with_its_power_apart: "body b { inertia = «3kgm»^2; }" => "no unit is called `kgm`\nhelp: did you mean `3kgm2`?";
     item length_of_a_vector_by_another_word: "output far = «magnitude»(crank.A - ground.position);" => "no function is called `magnitude`\nhelp: the length of a vector is `norm(v)`";
     item distance_as_a_function: "output far = «distance»(crank.A, ground.position);" => "`distance` is a constraint, not a function\nhelp: the distance of two points is `norm(Q - P)`";
-    item angle_as_a_function: "output turned = «angle»(crank);" => "no function is called `angle`\nhelp: the angle of a body is `body.angle`, that of a vector `direction(v)`";
+    item angle_as_a_function: "output turned = «angle»(crank);" => "no function is called `angle`\nhelp: the angle of a body in the plane is `body.angle`, that of a vector `direction(v)`; in space a hinge has one, `hinge.angle`";
     item output_that_would_hide_derivatives: "output «derivatives» = crank.x;" => "an output cannot be called `derivatives`: a generated function has that name\nhelp: choose another name, such as `derivatives_value`";
     item direction_of_angles_of_a_vector: "let way = (0, 1) «from» (1, 0);" => "expected `;`, found `from`\nhelp: `from` belongs to an `axis` of a body or of ground, or to a `freedom`";
     item unit_of_elsewhere: "body b { inertia = «3000gmm2»; }" => "no unit is called `gmm2`\nhelp: `1gmm2` is `0.000000001kgm2`";
@@ -45,7 +45,7 @@ crate::refusals! {
     item unit_is_in_the_plural: "param a: Angle = «5degrees»;" => "no unit is called `degrees`\nhelp: did you mean `5deg`?";
     item constraint_by_another_name: "joint a = «pin»(ground.C, crank.A);" => "no constraint is called `pin`\nhelp: did you mean `revolute`?";
     item slide_by_another_name: "joint a = «prismatic»(ground.C, crank.A);" => "no constraint is called `prismatic`\nhelp: did you mean `translational`?";
-    item constant_of_rust: "param a: Length = «ARM»;" => "nothing is called `ARM` here\nhelp: constants of Rust are not seen: write the value, or set a `param` from Rust";
+    item constant_of_rust: "param a: Length = «SPAN»;" => "nothing is called `SPAN` here\nhelp: constants of Rust are not seen: write the value, or set a `param` from Rust";
     item axis_called_x: "body b { axis «x» = (1, 0); }" => "`x` has a meaning of its own in expressions\nhelp: choose another name, such as `u`";
     item polar_coordinates: "output b = «polar»(length, crank.angle);" => "no function is called `polar`\nhelp: write `(r * cos(angle), r * sin(angle))`";
     item motion_of_a_robot: "output b = «minimum_jerk»(t / 1s);" => "no function is called `minimum_jerk`\nhelp: write a law that leads from 0 to 1, such as `height * polynomial_345(t / 2s)`";
@@ -73,7 +73,7 @@ crate::refusals! {
     item slice_of_a_body: "slice «body» wheel {}" => "expected `output`, `joint`, `drive` or `force` after `slice`, found `body`";
     item output_with_the_name_of_a_slice: "slice output far = crank.x; output «solve_for_far» = crank.x;" => "an output cannot be called `solve_for_far`: a generated function has that name\nhelp: choose another name, such as `solve_for_far_value`";
     item point_called_angle_and_used: "body b { point «angle» = (0mm, 0mm); } joint j = revolute(b.angle, crank.A);" => "`angle` has a meaning of its own in expressions\nhelp: choose another name";
-    item axis_called_like_a_coordinate: "body b { axis «x» = (1, 0); } joint j = translational(b.x, b.position, crank.A);" => "`x` has a meaning of its own in expressions\nhelp: choose another name";
+    item axis_called_like_a_coordinate: "body b { axis «x» = (1, 0); } joint j = translational(b.x, b.position, crank.A);" => "`x` has a meaning of its own in expressions\nhelp: choose another name, such as `u`";
     item velocity_as_a_function: "output b = «velocity»(crank.A);" => "no function is called `velocity`\nhelp: did you mean `rate`?";
     item acceleration_as_a_function: "output b = «acceleration»(crank.A);" => "no function is called `acceleration`\nhelp: an output is given with its rate and its acceleration; equations and forces contain none";
     item rate_of_a_point: "output b = crank.A.«rate»;" => "a point has no `rate`\nhelp: write `rate(…)` of a point or of a number, as in `rate(body.position)`";

@@ -22,9 +22,10 @@ impl Display for ArityFact {
                     (MeantFor::Hinge, Some(turning), _) => write!(f, "\nhelp: `{turning}` acts about a hinge")?,
                     (MeantFor::Hinge | MeantFor::Joint, _, Some(kind)) if missing.len() == 1 => {
                         let ends = ["axes", "bodies", "points"][usize::from(kind != "Axis") + usize::from(kind == "Point")];
-                        match signature.contains(": Axis") && signature.contains(": Body") {
-                            true => write!(f, "\nhelp: for a joint, write an axis of one body and the other body instead of its name")?,
-                            false => write!(f, "\nhelp: for a joint, write its two {ends} instead of its name")?,
+                        if signature.contains(": Axis") && signature.contains(": Body") {
+                            write!(f, "\nhelp: for a joint, write an axis of one body and the other body instead of its name")?;
+                        } else {
+                            write!(f, "\nhelp: for a joint, write its two {ends} instead of its name")?;
                         }
                     }
                     _ => {}

@@ -159,12 +159,12 @@ impl Display for GrammarFact {
                 write!(f, "all of a mechanism is as public as the mechanism\nhelp: take `pub` away")
             }
             GrammarFact::UnknownItem { word, .. } if ["mass", "inertia", "center"].contains(&word.as_str()) => {
-                write!(f, "`{word}` belongs in a body\nhelp: write it there, as in `body b {{ mass = 2kg; inertia = 0.1kgm2; }}`")
+                write!(f, "`{word}` belongs in a body\nhelp: write it there, as in `body b {{ {word} = …; }}`")
             }
             GrammarFact::UnknownItem { word, .. } if COMMANDS.contains(&word.as_str()) => {
                 write!(
                     f,
-                    "`{word}` is no item of a mechanism\nhelp: that is done in Rust, such as `mechanism.solve(t)` or `mechanism.sweep(times)`"
+                    "`{word}` is no item of a mechanism\nhelp: that is done in Rust, such as `mechanism.sweep(times)`, with freedoms `mechanism.sweep(times, Integrator::new(1e-9))`"
                 )
             }
             GrammarFact::UnknownItem { word, name, home: Some(home) } => {

@@ -40,7 +40,7 @@ impl Display for NameFact {
                     "nothing is called `loads` here\nnote: loads are computed for a state, in Rust\nhelp: write `mechanism.loads(&state)` there"
                 )
             }
-            NameFact::UnknownName { name, near: None, .. } if is_constant(name) => {
+            NameFact::UnknownName { name, near: None, .. } if is_constant(name) && usual_dimension(name).is_none() => {
                 write!(
                     f,
                     "nothing is called `{name}` here\nhelp: constants of Rust are not seen: write the value, or set a `param` from Rust"
@@ -236,5 +236,5 @@ fn declaration(name: &str, dimension: &str, is_of_definition: bool) -> String {
 
 /// True for a name that is written as constants are in Rust.
 fn is_constant(name: &str) -> bool {
-    name.len() > 2 && name.chars().all(|letter| letter.is_ascii_uppercase() || letter.is_ascii_digit() || letter == '_')
+    name.len() > 2 && name.chars().all(|letter| letter.is_ascii_uppercase() || letter == '_')
 }
