@@ -12,7 +12,7 @@ use super::method::Method;
 use super::places::{largest, picked};
 use super::project::Reached;
 use super::rank::{keeps_rank, too_short};
-use super::step::{INSTANT, error, land};
+use super::step::{INSTANT, error, is_instant, land};
 use super::stiff::Stiff;
 use super::stopped::Stopped;
 use super::tableau::Rates;
@@ -42,6 +42,9 @@ pub struct Integrator<T = f64, K = Explicit> {
     /// Longest step of all calls so far, in s.
     #[doc(hidden)]
     pub longest_made: T,
+    /// Number of steps in a row, up to the last one, that were as short as the instant of a jump.
+    #[doc(hidden)]
+    pub instants: usize,
     /// Time and value of the event that stopped the motion last.
     #[doc(hidden)]
     pub stopped: Option<(T, T)>,
@@ -66,6 +69,7 @@ impl<T: Scalar> Integrator<T> {
             rejected: 0,
             evaluations: 0,
             longest_made: T::ZERO,
+            instants: 0,
             stopped: None,
             method: PhantomData,
         }
@@ -77,8 +81,22 @@ impl<T: Scalar> Integrator<T, Stiff> {
     /// RODAS). Springs and dampers whose oscillations have died out do not bound their length.
     #[must_use]
     pub fn stiff(tolerance: T) -> Self {
-        let Integrator { longest, most, step, fastest, accepted, rejected, evaluations, longest_made, .. } = Integrator::new(tolerance);
-        Self { tolerance, longest, most, step, fastest, accepted, rejected, evaluations, longest_made, stopped: None, method: PhantomData }
+        let Integrator { longest, most, step, fastest, accepted, rejected, evaluations, longest_made, instants, .. } =
+            Integrator::new(tolerance);
+        Self {
+            tolerance,
+            longest,
+            most,
+            step,
+            fastest,
+            accepted,
+            rejected,
+            evaluations,
+            longest_made,
+            instants,
+            stopped: None,
+            method: PhantomData,
+        }
     }
 }
 
@@ -239,7 +257,14 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
             // If the joints do not allow the trial state, the step is too long.
             let mut error_and_speed = (T::of(f64::INFINITY), self.fastest);
             let tried = K::trial(mechanism, state, h).and_then(|trial| {
-                error_and_speed = error(mechanism, state, &trial, h, (self.tolerance, self.fastest), (self.longest_made, is_shortened));
+                error_and_speed = error(
+                    mechanism,
+                    state,
+                    &trial,
+                    h,
+                    (self.tolerance, self.fastest),
+                    (self.longest_made, is_shortened && self.instants < INSTANTS),
+                );
                 let is_accepted = error_and_speed.0 <= T::of(1.0);
                 if is_accepted {
                     let tolerance = (self.tolerance, self.fastest);
@@ -254,6 +279,7 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
                 *reached = Some(there);
                 (self.accepted, self.fastest) = (self.accepted + 1, fastest);
                 self.longest_made = self.longest_made.max(h.without_derivatives().abs());
+                self.instants = if is_instant(h, state.t) && !is_last { self.instants + 1 } else { 0 };
                 let grown = wanted * factor::<T, K>(error, 6.0);
                 // A last step, which was cut to end at `t`, may lengthen the next one, but not shorten it.
                 self.step = if is_last { self.step.abs().max(h.without_derivatives().abs() * factor::<T, K>(error, 6.0)) } else { grown };
@@ -286,6 +312,9 @@ fn factor<T: Scalar, K: Method>(error: T, most: f64) -> T {
     let root = (0..K::ROOTS).fold(error.max(T::of(1e-12)), |root, _| root.sqrt());
     smaller((T::of(0.9) / root).max(T::of(0.2)), T::of(most))
 }
+
+/// Most steps in a row in which a force may jump. Towards an infinite force there would be ever more.
+const INSTANTS: usize = 4;
 
 /// A step in which no coordinate moves by more than a hundredth of its scale.
 fn first_step<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(mechanism: &S, state: &State<T, N>) -> T

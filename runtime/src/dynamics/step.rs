@@ -121,6 +121,14 @@ const SLOW: f64 = 1e-3;
 /// Times ε t: the instant at which a force jumps is not known better.
 pub(super) const INSTANT: f64 = 8.0;
 
+/// Times ε t: the time is off by so much, and no speed is known better than at such a time. It counts where speeds grow without bound.
+const ROUNDED: f64 = 0.1;
+
+/// True for a step as short as the instant of a jump.
+pub(super) fn is_instant<T: Scalar>(h: T, t: T) -> bool {
+    h.abs() <= T::of(INSTANT) * T::EPSILON * t.abs()
+}
+
 /// Within an instant a speed may change by this fraction of the largest one.
 const JUMP: f64 = 0.1;
 
@@ -140,14 +148,14 @@ const CANCELLED: f64 = 1e3;
 /// Estimated error of a step, relative to the tolerance, and the largest speed so far.
 ///
 /// * `longest`: given, the longest step so far.
-/// * `is_shortened`: given, true if a longer step was tried.
+/// * `may_jump`: given, true if a force may jump in this step: longer ones were tried, and the steps before were no instants.
 pub(super) fn error<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     state: &State<T, N>,
     trial: &Trial<T, N, I>,
     h: T,
     (tolerance, mut fastest): (T, T),
-    (longest, is_shortened): (T, bool),
+    (longest, may_jump): (T, bool),
 ) -> (T, T)
 where
     T: Scalar,
@@ -159,9 +167,10 @@ where
     let (before, after) = (picked(&state.q, &S::INTEGRATED), picked(end, &S::INTEGRATED));
     let allowed = T::of(EACH) * tolerance;
     let slowest = fastest.max(T::of(SLOW) / longest.max(h.abs()));
-    let is_instant = is_shortened && h.abs() <= T::of(INSTANT) * T::EPSILON * state.t.abs();
-    let jumped = if is_instant { largest_change([&state.qd, moving], &S::INTEGRATED, &lengths) } else { T::ZERO };
-    let scale = slowest + smaller(jumped, T::of(JUMP) * slowest) / allowed;
+    let change = largest_change([&state.qd, moving], &S::INTEGRATED, &lengths);
+    let jumped = if may_jump && is_instant(h, state.t) { smaller(change, T::of(JUMP) * slowest) } else { T::ZERO };
+    let rounded = T::of(ROUNDED) * T::EPSILON * state.t.abs() * change / h.abs();
+    let scale = slowest + (jumped + rounded) / allowed;
     let of_values = error_of_values([&before, &after], &trial.errors, &lengths, (allowed, scale));
     let of_derivatives = error_of_derivatives(mechanism, state, trial, h, (tolerance, fastest));
     (of_values.max(of_derivatives), fastest)
