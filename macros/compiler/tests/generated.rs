@@ -91,6 +91,16 @@ fn no_output_has_the_name_of_a_generated_function() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
 }
 
+/// `T` is refused as the name of a mechanism, and what stands for it is Rust all the same.
+#[test]
+fn a_mechanism_called_t_leaves_items() {
+    for declaration in declarations() {
+        let tokens: TokenStream = declaration.replace("Crank", "T").parse().expect("tokens");
+        let items = syn::parse2::<syn::File>(reuleaux_compiler::mechanism(tokens)).expect("Rust").items;
+        assert!(items.iter().any(|item| matches!(item, Item::Macro(error) if error.mac.path.is_ident("compile_error") || error.mac.path.segments.last().is_some_and(|last| last.ident == "compile_error"))), "{declaration}");
+    }
+}
+
 /// The page of a function shows a link to its source: it leads to the line of the item that declares it, if the function's first and last token
 /// lie there.
 #[test]

@@ -28,7 +28,9 @@ macro_rules! codes {
                 match self {
                     $($(Fact::$family($family::$fact { .. }))|+ => stringify!($code),)*
                     // The instance in which an error occurs does not change its code.
-                    Fact::InInstance { fact, .. } | Fact::InDefinition { fact, .. } | Fact::Doubtful { fact, .. } => fact.code(),
+                    Fact::InInstance { fact, .. } | Fact::InDefinition { fact, .. } | Fact::Doubtful { fact, .. } | Fact::Noted { fact, .. } => {
+                        fact.code()
+                    },
                 }
             }
         }
@@ -43,7 +45,7 @@ codes! {
     E0001: Grammar::Syntax Grammar::Expected Grammar::ArgumentByEquals Grammar::Unnamed Motion::EquationWithoutBraces Motion::RateBeforeStart
         Motion::PlaceWithoutAt Motion::StartWithEquals Motion::FreedomWithoutName Motion::DriveWithoutName Grammar::OneEqualsSign
         Grammar::HashComment Grammar::CommaAtEnd Grammar::DecimalComma Grammar::OutputWithoutName Grammar::OutputWithDimension
-        Grammar::TwoConditions Grammar::ComparisonOutside Grammar::ForceBeforePlace Grammar::StraySemicolon Grammar::Return;
+        Grammar::TwoConditions Grammar::ConditionInParentheses Grammar::ArrayOfDimension Grammar::ComparisonOutside Grammar::ForceBeforePlace Grammar::StraySemicolon Grammar::Return;
     E0002: Grammar::NotANumber;
     E0003: Grammar::TooDeep Grammar::TooLong Grammar::LongChain Grammar::PartsTooDeep;
     E0004: Grammar::Keyword;
@@ -54,7 +56,7 @@ codes! {
     E0009: Motion::InertiaOfNumbers Motion::InertiaOfVector Grammar::WithoutParentheses Value::NotTwoComponents Value::NotThreeComponents;
     E0010: Grammar::DoubleStar Grammar::MethodCall Grammar::RustConstant;
     E0011: Grammar::PathOfConstraint;
-    E0012: Grammar::SpaceBeforeUnit Grammar::UnitRaised;
+    E0012: Grammar::SpaceBeforeUnit Grammar::UnitBehindParentheses Grammar::UnitRaised;
     E0013: Grammar::ExponentTooLarge;
     E0014: Grammar::OnlyAtTheTop Grammar::StartInLoop Grammar::StartOfJoint;
     E0015: Grammar::ClosingWord Grammar::AllowedWord Grammar::AttributeTwice Grammar::SecondTask;
@@ -92,7 +94,7 @@ codes! {
         Motion::FreedomOfOrientation Motion::FreedomOfNothing;
     E0302: Value::WrongArgument Value::CoordinateForAxis Value::WrongDefault Motion::JointWithoutValue Arity::OtherOrder Arity::FunctionOrder;
     E0303: Value::WrongArgumentDimension;
-    E0304: Value::Unlike Value::NotARate;
+    E0304: Value::Unlike Value::BareGains Value::NotARate;
     E0305: Value::WrongDimension Value::NotAnEnergy Value::OfFunction Value::NotALength Motion::RateForStart Motion::StartForRate;
     E0306: Value::CannotEquate Value::CannotCompare Value::OrderOfBodies;
     E0307: Value::FunctionTakes;

@@ -24,7 +24,27 @@ pub enum Fact {
     Motion(MotionFact),
     InInstance { place: String, fact: Box<Fact> },
     Doubtful { fact: Box<Fact>, doubt: Box<Doubt> },
+    Noted { fact: Box<Fact>, note: Note },
     InDefinition { definition: String, quantities: Vec<(String, Dim)>, fact: Box<Fact> },
+}
+
+/// The likely cause of a wrong dimension.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Note {
+    /// A declared name stands where a unit was meant.
+    DeclaredUnit {
+        /// The name.
+        name: String,
+        /// The number with its unit.
+        instead: String,
+    },
+    /// A factor lacks its unit.
+    BareFactor {
+        /// The number as written.
+        number: String,
+        /// The number with a unit.
+        instead: String,
+    },
 }
 
 macro_rules! families {
@@ -83,6 +103,9 @@ pub enum GrammarFact {
     OutputWithoutName { value: String },
     OutputWithDimension { name: String },
     TwoConditions,
+    ConditionInParentheses,
+    UnitBehindParentheses { written: String, unit: String },
+    ArrayOfDimension { written: String },
     ComparisonOutside,
     ForceBeforePlace { name: String, clause: String },
     StraySemicolon,
@@ -207,6 +230,7 @@ pub enum ValueFact {
     WrongDimension { wanted: Dim, found: Dim },
     OfFunction { wanted: Dim, found: Dim },
     NotARate { written: String, found: Dim, instead: String },
+    BareGains { action: &'static str, one: Dim, two: Dim, numbers: [String; 2] },
     Unlike { action: &'static str, one: Dim, two: Dim },
     NotALength { found: Dim, instead: Option<String> },
     FunctionTakes { wanted: Dim, found: Dim },

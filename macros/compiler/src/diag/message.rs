@@ -17,7 +17,8 @@ mod words;
 
 pub(crate) use assembly::{degrees, millimetres, significant};
 
-use super::{AngleOf, Doubt, Fact};
+use super::{AngleOf, Doubt, Fact, Note, ValueFact};
+use crate::quantity::Dim;
 use std::fmt;
 
 impl Fact {
@@ -54,11 +55,30 @@ impl fmt::Display for Fact {
                 let (first, rest) = parted(&sentence);
                 write!(f, "{first}\nnote: {place}{rest}")
             }
+            Fact::Noted { fact, note: Note::DeclaredUnit { name, instead } } => {
+                write!(
+                    f,
+                    "{fact}\nnote: `{name}` is declared in this mechanism, and so is no unit here\nhelp: a unit is one word: write `{instead}`"
+                )
+            }
+            Fact::Noted { fact, note: Note::BareFactor { number, instead } } => {
+                write!(f, "{fact}\nhelp: `{number}` has no unit: write `{instead}`")
+            }
             Fact::Doubtful { fact, doubt } => write!(f, "{fact}\nnote: {doubt}"),
             Fact::InDefinition { definition, quantities, fact } => {
                 write!(f, "in {definition}: {fact}")?;
                 let words: Vec<String> = quantities.iter().map(|(name, dim)| format!("`{name}` is {dim}")).collect();
-                if words.is_empty() { Ok(()) } else { write!(f, "\nnote: here {}", words.join(", ")) }
+                if words.is_empty() {
+                    return Ok(());
+                }
+                write!(f, "\nnote: here {}", words.join(", "))?;
+                let dim = |name: &str| quantities.iter().find(|(known, _)| known == name).map(|(_, dim)| *dim);
+                match (&**fact, [dim("a"), dim("b")]) {
+                    (Fact::Value(ValueFact::Unlike { .. }), [Some(a), Some(b)]) if a != b && [a, b].contains(&Dim::LENGTH) => {
+                        write!(f, "\nhelp: give `a` and `b` alike: two numbers of teeth, or two radii")
+                    }
+                    _ => Ok(()),
+                }
             }
         }
     }
@@ -106,6 +126,11 @@ impl fmt::Display for Doubt {
                         write!(f, "\nhelp: write `{}`, or `{}` if it is meant", in_unit("deg"), in_unit("rad"))
                     }
                 }
+            }
+            Doubt::BareSpeed { number } => {
+                let in_rpm = number.parse::<f64>().map_or(f64::NAN, |value| (value * 30.0 / std::f64::consts::PI).round());
+                write!(f, "`{number}` has no unit: it is {number} rad/s, {in_rpm} rpm")?;
+                write!(f, "\nhelp: write `{number}rpm`, or `{number}rad_s` if it is meant")
             }
             Doubt::CenteredRod { body, point, center, origin } => {
                 write!(f, "`{body}` has its centre of mass at its origin, so that its rod ends at half the distance of `{point}`")?;

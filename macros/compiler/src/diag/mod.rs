@@ -18,7 +18,7 @@ mod warning;
 pub use code::PAGES;
 pub use fact::{
     ArityFact, ArrayFact, AssemblyFact, Bound, Count, Demand, Driven, EquationFact, Fact, Forgotten, Gap, GrammarFact, JerkObstacle,
-    JointValue, Known, MeantFor, MotionFact, NameFact, Neglected, NoPosition, SystemFact, Typed, ValueFact, Word,
+    JointValue, Known, MeantFor, MotionFact, NameFact, Neglected, NoPosition, Note, SystemFact, Typed, ValueFact, Word,
 };
 pub(crate) use functions::foreign;
 pub use home::Home;

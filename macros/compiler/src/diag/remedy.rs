@@ -23,6 +23,11 @@ pub(super) fn of_kind(wanted: &Wanted, found: &Kind, ambient: Ambient) -> &'stat
             "\nhelp: its components are `.x`, `.y` and `.z`, its length is `norm(…)`"
         }
         (Wanted::Number | Wanted::NumberOrVector | Wanted::Quantity(_), Kind::Function) => "\nhelp: give it its argument, as in `f(x)`",
+        (Wanted::VectorOrPoint | Wanted::NumberOrVector | Wanted::Number | Wanted::NumberVectorOrPoint, Kind::Joint | Kind::JointOf(_))
+            if is_plane =>
+        {
+            "\nhelp: in the plane, angles are those of bodies: write `body.angle`, or a difference of two"
+        }
         (Wanted::Number | Wanted::NumberOrVector, Kind::Joint) => "\nhelp: what it was made with has values, as in `joint.P`",
         (Wanted::Function, Kind::Number) => "\nhelp: a product is written with `*`",
         (Wanted::VectorOrPoint | Wanted::Vector, Kind::Number) if is_plane => "\nhelp: write both components, `(x, y)`",

@@ -63,6 +63,11 @@ pub enum Doubt {
         /// The number as written.
         number: String,
     },
+    /// An angular velocity without a unit that is rather meant in revolutions per minute.
+    BareSpeed {
+        /// The number as written.
+        number: String,
+    },
     /// A rod whose centre is the origin of its body does not reach a point at the distance of its length.
     CenteredRod {
         /// The body.
@@ -114,6 +119,7 @@ impl Warning {
             Doubt::FarStart { .. } | Doubt::FarOrientation { .. } => "far_start",
             Doubt::BareLength { .. } => "bare_length",
             Doubt::BareAngle { .. } => "bare_angle",
+            Doubt::BareSpeed { .. } => "bare_speed",
             Doubt::CenteredRod { .. } => "centered_rod",
             Doubt::Undercut { .. } => "undercut",
             Doubt::MotionEnds(_) => "motion_ends",

@@ -1,7 +1,9 @@
 //! Warnings about angles without a unit, which count as radians.
 
 use crate::diag::{AngleOf, Doubt, Range, Warning};
+use crate::library;
 use crate::syntax::ast::{Expression, ExpressionKind, Item, JointBody, Mechanism, Operator, Statement, every_item};
+use proc_macro2::Ident;
 
 /// Drives that prescribe an angle.
 const DRIVES: [&str; 3] = ["drive_angle", "drive_relative_angle", "drive_rotation"];
@@ -88,7 +90,7 @@ fn of_angle(of: AngleOf, value: &Expression, found: &mut Vec<Warning>) {
     found.extend(degrees(value).map(|(number, range)| Warning { doubt: Doubt::BareAngle { of, number }, range }));
 }
 
-/// A bare number of more than a turn in radians, as written: it is rather one of degrees. Also where it is a term, or an amplitude of a sine.
+/// A bare number of more than a turn in radians, as written: it is rather one of degrees. Also where it is a term, or a factor of a sine or a law.
 fn degrees(argument: &Expression) -> Option<(String, Range)> {
     match &argument.kind {
         ExpressionKind::Negative(inner) if is_number(inner) => degrees(inner).map(|(number, _)| (format!("-{number}"), argument.range)),
@@ -115,7 +117,8 @@ fn is_number(value: &Expression) -> bool {
     }
 }
 
-/// True for a sine or cosine.
+/// True for a sine or cosine, or a law of the library that goes from 0 to 1.
 fn is_wave(value: &Expression) -> bool {
-    matches!(&value.kind, ExpressionKind::Call(path, _) if path.name.as_ref().is_some_and(|name| name == "sin" || name == "cos"))
+    let is_of_waves = |name: &Ident| name == "sin" || name == "cos" || library::functions().any(|law| name == law && law != "wrap");
+    matches!(&value.kind, ExpressionKind::Call(path, _) if path.name.as_ref().is_some_and(is_of_waves))
 }

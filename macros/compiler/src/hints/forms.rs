@@ -98,6 +98,26 @@ pub(crate) fn in_words(written: &Expression, value: f64, dim: Dim) -> String {
     }
 }
 
+/// A number without a unit that is a factor of an expression, or of its first term.
+pub(crate) fn bare_factor(value: &Expression) -> Option<String> {
+    match &value.kind {
+        ExpressionKind::Number { digits, unit } => unit.is_empty().then(|| digits.clone()),
+        ExpressionKind::Negative(inner) => bare_factor(inner),
+        ExpressionKind::Binary(Operator::Mul, lhs, rhs) => bare_factor(lhs).or_else(|| bare_factor(rhs)),
+        ExpressionKind::Binary(Operator::Add | Operator::Sub | Operator::Div, lhs, _) => bare_factor(lhs),
+        _ => None,
+    }
+}
+
+/// The number that lacks a unit where a quantity of dimension `wanted` is, with the usual unit.
+pub(crate) fn with_unit(value: &Expression, wanted: Dim) -> Option<[String; 2]> {
+    const USUAL: [(Dim, &str); 5] = [(Dim::LENGTH, "mm"), (Dim::FORCE, "N"), (Dim::TORQUE, "Nm"), (Dim::MASS, "kg"), (Dim::TIME, "s")];
+    let (_, unit) = USUAL.into_iter().find(|(dim, _)| *dim == wanted)?;
+    let number = bare_factor(value)?;
+    let instead = format!("{number}{unit}");
+    Some([number, instead])
+}
+
 /// The digits of a number in mm, as the length that was probably meant.
 pub(crate) fn in_millimetres(written: &Expression) -> Option<String> {
     match &written.kind {

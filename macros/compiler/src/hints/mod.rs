@@ -1,14 +1,14 @@
 //! Guesses at the intent of a declaration, from the tree alone, without resolving names.
 //!
-//! In: expressions and items as written. Out: whether they are meant in space, lengths that were probably not meant in metres and angles not
-//! in radians, rods whose centre was forgotten, forms that are often written in place of others, what outputs probably are, which names
+//! In: expressions and items as written. Out: whether they are meant in space, lengths that were probably not meant in metres, angles not in
+//! radians and angular velocities not in radians per second, rods whose centre was forgotten, forms that are often written in place of others, what outputs probably are, which names
 //! generated functions have, and names that nothing uses. Not done here: reporting, which `resolve` does, as it knows the meaning of names.
 
 mod ambient;
 mod angles;
+mod bare;
 mod forms;
 mod generated;
-mod lengths;
 mod outputs;
 mod promised;
 mod rods;
@@ -16,12 +16,12 @@ mod unused;
 
 pub(crate) use ambient::{is_meant, means_space};
 pub(crate) use angles::bare_angles;
+pub(crate) use bare::BareNumbers;
 pub(crate) use forms::{
-    argument_of, by_time, cross_product, decimal_comma, in_millimetres, in_words, is_measured, is_zero, orientation_of, place_of_argument,
-    point_of, unit_in_parts,
+    argument_of, bare_factor, by_time, cross_product, decimal_comma, in_millimetres, in_words, is_measured, is_zero, orientation_of,
+    place_of_argument, point_of, unit_in_parts, with_unit,
 };
 pub(crate) use generated::{is_generated, is_of_generated_type};
-pub(crate) use lengths::Lengths;
 pub(crate) use outputs::{OutputKind, derivatives, output_kind};
 pub(crate) use promised::{has_forces, has_inputs};
 pub(crate) use rods::centered_rods;

@@ -94,6 +94,7 @@ fn nothing_to_drive(view: &Contenders, drive: usize, joints: &[usize]) -> System
         coordinates: view.coordinates(&view.group.part.unknowns),
         free: view.coordinates(view.free),
         neglected: view.model.neglected(joints.iter().copied()),
+        held_by: view.model.held_by(drive, joints.iter().copied()),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::Model;
 use super::sketch::{Instantiation, JointArgument, LocalVector, Sketch};
 use crate::diag::Neglected;
-use crate::expr::Expr;
+use crate::expr::{Expr, Leaf};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Joints that keep two points together. Two of them rarely share a point.
@@ -39,6 +39,23 @@ impl Model {
             let joints = pins.iter().map(|joint| self.joints[*joint].name.to_string()).collect();
             Some(Box::new(Neglected { point: written(&point.name), taken: written(taken), joints }))
         })
+    }
+
+    /// One of `joints` that keeps constant what a drive would move: `distance` for `drive_distance`, between the same points.
+    pub(crate) fn held_by(&self, drive: usize, mut joints: impl Iterator<Item = usize>) -> Option<String> {
+        let driven = self.joints[drive].kind.strip_prefix("drive_")?;
+        let made = |joint: usize| self.sketch.joints.get(joint);
+        let places_of = |joint: usize| made(joint).map(places).unwrap_or_default();
+        let leaves = |joint: usize| -> BTreeSet<_> {
+            let all = self.joints[joint].residuals.iter().flat_map(|residual| self.arena.leaves(residual.expr));
+            all.filter(|leaf| matches!(leaf, Leaf::Coordinate(_))).collect()
+        };
+        let found = joints.find(|joint| {
+            self.joints[*joint].kind.trim_start_matches("absolute_") == driven
+                && places_of(*joint) == places_of(drive)
+                && leaves(*joint) == leaves(drive)
+        })?;
+        Some(self.joints[found].name.to_string())
     }
 
     /// The name of a declared point, or `position` for the origin of a body or of ground.

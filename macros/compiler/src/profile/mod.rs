@@ -16,6 +16,7 @@ use crate::expr::spline::Table;
 use crate::expr::{Arena, Exact, Expr};
 use crate::model::Requirement;
 use crate::names::{Scalar, Scope};
+use crate::quantity::Dim;
 use crate::syntax::ast;
 use proc_macro2::Ident;
 
@@ -60,6 +61,9 @@ pub(crate) trait Valuer {
 
     /// Evaluates an expression that must be a number.
     fn number(&mut self, expr: &ast::Expression, scope: &Scope) -> Option<Scalar>;
+
+    /// Records a number that may lack its unit.
+    fn bare(&mut self, written: &ast::Expression, wanted: Dim);
 
     /// Reports an error and returns `None`.
     fn reject<T>(&mut self, range: Range, fact: impl Into<Fact>) -> Option<T>;

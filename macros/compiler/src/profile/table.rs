@@ -22,6 +22,10 @@ pub(crate) fn table(work: &mut impl Valuer, name: &Ident, arguments: &[ast::Expr
     let argument = work.number(x, scope)?;
     let mut columns = [argument.measure, InferredDim::Any];
     let read = pairs(work, "table", points.range, items, &mut columns, scope)?;
+    // The greatest is out of proportion if any is.
+    if let (InferredDim::Known(dim), Some(ExpressionKind::Tuple(last))) = (argument.measure, items.last().map(|item| &item.kind)) {
+        last.first().into_iter().for_each(|greatest| work.bare(greatest, dim));
+    }
     let pairs: Vec<(f64, f64)> = read.iter().map(|[x, y]| (x.to_f64(), y.to_f64())).collect();
     if ends == Ends::Periodic {
         returns(work, "table", items, &read, columns[1])?;

@@ -112,12 +112,14 @@ pub(crate) fn drives_have_something_to_drive(
         if !joints.is_empty() && joints.iter().all(|joint| !numeric.model.joints[*joint].is_drive) {
             let free = numeric.names(subsystem, &basis.free(subsystem.unknowns.len()));
             let neglected = numeric.model.neglected(joints.iter().copied());
+            let held_by = numeric.model.held_by(drive, joints.iter().copied());
             let (name, by) = (declared.name.to_string(), names(joints));
             if declared.freedom.is_some() {
                 let of = declared.residuals.len();
                 return diag.refuse(&declared.name, MotionFact::FreedomIsHeld { freedom: name, of, by, free });
             }
-            let fact = SystemFact::NothingToDrive { drive: name, joints: by, equations: [0; 2], coordinates: Vec::new(), free, neglected };
+            let (equations, coordinates) = ([0; 2], Vec::new());
+            let fact = SystemFact::NothingToDrive { drive: name, joints: by, equations, coordinates, free, neglected, held_by };
             return diag.refuse(&declared.name, fact);
         }
     }

@@ -4,10 +4,15 @@ use super::Components;
 use super::elaborate::{Elaborator, misread_height};
 use crate::diag::{ArrayFact, Range, ValueFact, Wanted};
 use crate::expr::{Exact, Expr, Unary};
-use crate::hints::{decimal_comma, in_millimetres, is_measured};
+use crate::hints::{bare_factor, decimal_comma, in_millimetres, is_measured};
 use crate::names::{Scalar, Scope, Value, Vector};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Operator, Relation};
+
+/// The word for adding or subtracting.
+fn action(operator: Operator) -> &'static str {
+    if operator == Operator::Add { "add" } else { "subtract" }
+}
 
 impl Elaborator<'_> {
     pub(super) fn negative(&mut self, value: &ast::Expression, scope: &Scope) -> Option<Value> {
@@ -39,7 +44,7 @@ impl Elaborator<'_> {
     /// Evaluates a point: a vector of lengths. If its coordinates are written out, the error marks the one that is not a length.
     pub(super) fn location(&mut self, written: &ast::Expression, scope: &Scope) -> Option<Vector> {
         if let ast::ExpressionKind::Tuple(items) = &written.kind {
-            items.iter().for_each(|item| self.lengths.note(item));
+            items.iter().for_each(|item| self.note_bare(item, Dim::LENGTH));
         }
         if let ast::ExpressionKind::Tuple(items) = &written.kind
             && let [x, y] = items.as_slice()
@@ -92,7 +97,11 @@ impl Elaborator<'_> {
             }
             (Value::Scalar(one), Value::Scalar(two)) => {
                 if matches!(operator, Operator::Add | Operator::Sub) && one.measure.common(two.measure).is_none() {
+                    self.has_units([lhs, rhs], [one, two], operator)?;
                     self.is_by_rates([lhs, rhs])?;
+                }
+                if matches!(operator, Operator::Add | Operator::Sub) {
+                    self.note_beside([(lhs, one), (rhs, two)]);
                 }
                 self.combine(range, operator, one, (two, rhs.range)).map(Value::Scalar)
             }
@@ -122,14 +131,28 @@ impl Elaborator<'_> {
             }
             Operator::Add | Operator::Sub | Operator::Power | Operator::Rem => {
                 let Some(measure) = one.measure.common(two.measure) else {
-                    let action = if operator == Operator::Add { "add" } else { "subtract" };
-                    return self.refuse(range, ValueFact::Unlike { action, one: one.measure.settled(), two: two.measure.settled() });
+                    let fact = ValueFact::Unlike { action: action(operator), one: one.measure.settled(), two: two.measure.settled() };
+                    let fact = self.noted(fact, range, None);
+                    return self.refuse(range, fact);
                 };
                 let expr = if operator == Operator::Add { self.arena.add(one.expr, two.expr) } else { self.arena.sub(one.expr, two.expr) };
                 (expr, measure)
             }
         };
         Some(Scalar { expr, measure })
+    }
+
+    /// Refuses the sum of a position and a velocity with bare factors, which are gains of a controller.
+    fn has_units(&mut self, sides: [&ast::Expression; 2], values: [Scalar; 2], operator: Operator) -> Option<()> {
+        let [one, two] = values.map(|scalar| scalar.measure.settled());
+        let is_of_control = [Dim::ANGLE, Dim::LENGTH].contains(&one) && two.times(Dim::TIME) == one;
+        match sides.map(bare_factor) {
+            [Some(first), Some(second)] if is_of_control => {
+                let fact = ValueFact::BareGains { action: action(operator), one, two, numbers: [first, second] };
+                self.refuse(sides[0].range.to(sides[1].range), fact)
+            }
+            _ => Some(()),
+        }
     }
 
     /// Evaluates `one % two` for whole numbers known at compile time.
@@ -257,6 +280,8 @@ impl Elaborator<'_> {
         let (left, right) = (self.scalar(lhs, scope), self.scalar(rhs, scope));
         let (yes, no) = (self.scalar(then, scope), self.scalar(otherwise, scope));
         let (left, right, yes, no) = (left?, right?, yes?, no?);
+        self.note_beside([(lhs, left), (rhs, right)]);
+        self.note_beside([(then, yes), (otherwise, no)]);
         if left.measure.common(right.measure).is_none() {
             let (one, two) = (left.measure.settled(), right.measure.settled());
             return self.refuse(lhs.range.to(rhs.range), ValueFact::Unlike { action: "compare", one, two });
@@ -285,6 +310,7 @@ impl Elaborator<'_> {
             let Some(measure) = one.measure.common(two.measure) else {
                 return self.refuse(range, ValueFact::Unlike { action: "equate", one: one.measure.settled(), two: two.measure.settled() });
             };
+            self.note_beside([(lhs, *one), (rhs, *two)]);
             return Some(vec![Scalar { expr: self.arena.sub(one.expr, two.expr), measure }]);
         }
         if let (Value::Orientation(one), Value::Orientation(two)) = (&left, &right) {

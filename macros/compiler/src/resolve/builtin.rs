@@ -323,6 +323,10 @@ impl Valuer for Elaborator<'_> {
         self.scalar(expr, scope)
     }
 
+    fn bare(&mut self, written: &ast::Expression, wanted: Dim) {
+        self.note_bare(written, wanted);
+    }
+
     fn reject<T>(&mut self, range: Range, fact: impl Into<Fact>) -> Option<T> {
         self.refuse(range, fact)
     }

@@ -7,7 +7,7 @@ use crate::diag::{
     ArrayFact, Diag, EquationFact, Fact, GrammarFact, Kind, Known, NameFact, Range, ValueFact, Wanted, nearest, nearest_unit,
 };
 use crate::expr::{Arena, Exact, Expr, Leaf};
-use crate::hints::Lengths;
+use crate::hints::BareNumbers;
 use crate::names::{Fixed, FrameId, GroupId, Instance, Key, Names, Scalar, Scope, Sort, SpaceId, Timeless, Value, Vector};
 use crate::quantity::{self, Ambient, Dim, InferredDim, Role};
 use crate::syntax::ast::{self, ExpressionKind};
@@ -51,8 +51,10 @@ pub(crate) struct Elaborator<'a> {
     pub(super) energies: Vec<Energy>,
     /// Relations of joints in space.
     pub(super) space: Notes,
-    /// Lengths that are written without a unit, and the longest one with a unit.
-    pub(super) lengths: Lengths,
+    /// Numbers that are written without a unit, and the longest length with one.
+    pub(super) bare: BareNumbers,
+    /// The last expression in which a declared name stands like a unit, that name, and the number with the unit.
+    pub(super) declared_unit: Option<(Range, String, String)>,
     /// True if rows that always depend on others will be refused, so that a better reason may be given before.
     pub(super) judges_rows: bool,
 }
@@ -90,7 +92,8 @@ impl Elaborator<'_> {
             added: Vec::new(),
             energies: Vec::new(),
             space: Notes::default(),
-            lengths: Lengths::default(),
+            bare: BareNumbers::default(),
+            declared_unit: None,
             judges_rows: false,
         }
     }
@@ -185,13 +188,31 @@ impl Elaborator<'_> {
     /// Evaluates a number that must have the dimension `wanted`.
     pub(super) fn scalar_of(&mut self, expr: &ast::Expression, wanted: Dim, scope: &Scope) -> Option<Scalar> {
         let scalar = self.scalar(expr, scope)?;
-        if wanted == Dim::LENGTH {
-            self.lengths.note(expr);
-        }
+        self.note_bare(expr, wanted);
         if !scalar.measure.fits(wanted) {
-            return self.refuse(expr.range, ValueFact::WrongDimension { wanted, found: scalar.measure.settled() });
+            let found = scalar.measure.settled();
+            let written = (found == Dim::NUMBER).then_some((expr, wanted));
+            let fact = self.noted(ValueFact::WrongDimension { wanted, found }, expr.range, written);
+            return self.refuse(expr.range, fact);
         }
         Some(Scalar { measure: InferredDim::Known(wanted), ..scalar })
+    }
+
+    /// Records a number without a unit. Those in definitions are not the mistakes of the mechanism that uses them.
+    pub(super) fn note_bare(&mut self, written: &ast::Expression, wanted: Dim) {
+        if self.blame.is_none() {
+            self.bare.note(written, wanted);
+        }
+    }
+
+    /// Records a number without a unit that is added to, compared with or equated with another.
+    pub(super) fn note_beside(&mut self, sides: [(&ast::Expression, Scalar); 2]) {
+        match sides.map(|(written, scalar)| (written, scalar.measure)) {
+            [(_, InferredDim::Known(dim)), (bare, InferredDim::Any)] | [(bare, InferredDim::Any), (_, InferredDim::Known(dim))] => {
+                self.note_bare(bare, dim);
+            }
+            _ => {}
+        }
     }
 
     /// Evaluates a vector in ground; a point stands for its position and an axis for its direction.
@@ -265,7 +286,7 @@ impl Elaborator<'_> {
         };
         match Exact::measured(digits, size) {
             Some(value) if measure == InferredDim::Known(Dim::LENGTH) => {
-                self.lengths.longest = self.lengths.longest.max(value.to_f64().abs());
+                self.bare.longest = self.bare.longest.max(value.to_f64().abs());
                 Some(Scalar { expr: self.arena.constant(value), measure })
             }
             Some(value) => Some(Scalar { expr: self.arena.constant(value), measure }),
@@ -362,6 +383,12 @@ impl Elaborator<'_> {
     }
 
     fn field(&mut self, owner: &ast::Expression, field: &Ident, scope: &Scope) -> Option<Value> {
+        if let ExpressionKind::Number { digits, unit } = &owner.kind
+            && quantity::unit(&format!("{unit}{field}")).is_some()
+        {
+            let (written, instead) = (format!("{digits}{unit}.{field}"), format!("{digits}{unit}{field}"));
+            return self.refuse(owner.range.to(field), NameFact::UnitInParts { written, instead });
+        }
         let value = self.value(owner, scope)?;
         let name = field.to_string();
         match (&value, name.as_str()) {

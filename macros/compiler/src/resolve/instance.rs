@@ -261,14 +261,19 @@ impl Elaborator<'_> {
             (FormalKind::Quantity, value @ Value::Scalar(_)) => Some(value),
             (FormalKind::Scalar(written), Value::Scalar(scalar)) => {
                 let wanted = self.dimension(written)?;
-                if !scalar.measure.fits(wanted) {
+                self.note_bare(argument, wanted);
+                // A length by angle counts as a length, but the lead of a screw is not the way of one radian.
+                let is_by_angle = formal.name == "lead" && scalar.measure == InferredDim::Known(wanted.per(Dim::ANGLE));
+                if is_by_angle || !scalar.measure.fits(wanted) {
                     self.is_by_rates([argument, argument])?;
+                    let found = scalar.measure.settled();
                     let fact = ValueFact::WrongArgumentDimension {
                         parameter: formal.name.to_string(),
                         definition: definition.name.to_string(),
                         wanted,
-                        found: scalar.measure.settled(),
+                        found,
                     };
+                    let fact = self.noted(fact, argument.range, (found == Dim::NUMBER).then_some((argument, wanted)));
                     return self.refuse(argument.range, fact);
                 }
                 Some(Value::Scalar(Scalar { measure: InferredDim::Known(wanted), ..scalar }))
@@ -352,6 +357,10 @@ impl Elaborator<'_> {
                     }
                     _ => None,
                 }
+            }
+            (FormalKind::Function(..), Value::Scalar(_), ast::ExpressionKind::Call(path, _)) if path.name.is_some() => {
+                let name = path.last.to_string();
+                self.names.visible(scope.space?, &name).map(|_| name)
             }
             (FormalKind::Axis, Value::Body(frame) | Value::Point(Fixed { frame, .. }), _) => {
                 let any = if self.names.ambient == Ambient::Space { "(1, 0, 0)" } else { "(1, 0)" };

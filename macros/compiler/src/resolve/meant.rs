@@ -5,8 +5,8 @@ use super::Joint;
 use super::elaborate::Elaborator;
 use super::register::Register;
 use super::statement::ScalarEquation;
-use crate::diag::{EquationFact, JerkObstacle, JointValue, MotionFact, ValueFact, Word};
-use crate::hints::{by_time, cross_product, is_zero, unit_in_parts};
+use crate::diag::{EquationFact, Fact, JerkObstacle, JointValue, MotionFact, Note, Range, ValueFact, Word};
+use crate::hints::{by_time, cross_product, is_zero, unit_in_parts, with_unit};
 use crate::library;
 use crate::names::{Declared, FrameId, Progress, Scope, Value};
 use crate::quantity::{self, Ambient, Dim};
@@ -134,14 +134,40 @@ impl Elaborator<'_> {
     }
 
     /// A number with its unit, where the unit is written in parts that are no names: `500N_mm` for `500N / mm`.
-    pub(super) fn unit_of_parts(&self, written: &ast::Expression, scope: &Scope) -> Option<String> {
+    pub(super) fn unit_of_parts(&mut self, written: &ast::Expression, scope: &Scope) -> Option<String> {
         let (text, names) = unit_in_parts(written)?;
         let is_known = |name: &&Ident| {
             let declared = scope.space.and_then(|space| self.names.visible(space, &name.to_string()));
             declared.is_some() || scope.value_of(name).is_some()
         };
         let unit = text.trim_start_matches(|letter: char| letter.is_ascii_digit() || ['-', '.'].contains(&letter));
-        (!names.is_empty() && !names.iter().any(is_known) && quantity::unit(unit).is_some()).then_some(text)
+        if names.is_empty() || quantity::unit(unit).is_none() {
+            return None;
+        }
+        match names.iter().find(|name| is_known(name)) {
+            None => Some(text),
+            Some(declared) => {
+                self.declared_unit = Some((written.range, declared.to_string(), text));
+                None
+            }
+        }
+    }
+
+    /// Adds to an error about a dimension what was probably meant in `written`, where a quantity of dimension `wanted` was expected.
+    pub(super) fn noted(&self, fact: ValueFact, range: Range, written: Option<(&ast::Expression, Dim)>) -> Fact {
+        let place = |range: Range| (range.first.start(), range.last.end());
+        let ((start, end), fact) = (place(range), Fact::from(fact));
+        if let Some((within, name, instead)) = &self.declared_unit
+            && start <= place(*within).0
+            && place(*within).1 <= end
+        {
+            let note = Note::DeclaredUnit { name: name.clone(), instead: instead.clone() };
+            return Fact::Noted { fact: Box::new(fact), note };
+        }
+        match written.and_then(|(written, wanted)| with_unit(written, wanted)) {
+            Some([number, instead]) => Fact::Noted { fact: Box::new(fact), note: Note::BareFactor { number, instead } },
+            None => fact,
+        }
     }
 
     /// Refuses a joint as a freedom, and offers the coordinates that it leaves.

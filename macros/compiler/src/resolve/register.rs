@@ -118,7 +118,7 @@ impl Elaborator<'_> {
         match item {
             Item::Parameter(parameter) => {
                 let leaf = self.arena.leaf(Leaf::Parameter(register.parameters.len() as u32));
-                let dim = self.unless_refused(parameter, |this| this.dimension(&parameter.dimension));
+                let dim = self.unless_refused(parameter, |this| this.dimension_like(&parameter.dimension, &parameter.default));
                 let value = dim.map(|dim| Value::Scalar(Scalar { expr: leaf, measure: InferredDim::Known(dim) }));
                 let progress = value.map_or(Progress::Failed, Progress::Done);
                 let written = Written { key: Key::Name(parameter.id()), name: &parameter.name, indices: &parameter.indices };
@@ -151,7 +151,7 @@ impl Elaborator<'_> {
         }
         let first = register.parameters.len();
         let leaf = self.arena.leaf(Leaf::Input { number: first as u32, order: 0 });
-        let dim = self.unless_refused(input, |this| this.dimension(&input.dimension));
+        let dim = self.unless_refused(input, |this| this.dimension_like(&input.dimension, &input.default));
         let value = dim.map(|dim| Value::Scalar(Scalar { expr: leaf, measure: InferredDim::Known(dim) }));
         let progress = value.map_or(Progress::Failed, Progress::Done);
         let written = Written { key: Key::Name(input.id()), name: &input.name, indices: &input.indices };

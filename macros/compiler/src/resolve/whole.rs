@@ -7,7 +7,7 @@ use crate::diag::nearest;
 use crate::diag::{Diag, NameFact, Range, ValueFact};
 use crate::hints::{self, in_words};
 use crate::names::{Context, Declared, Entity, EntityId, FunctionValue, Key, Names, PartArguments, Progress, Scalar, Scope, Value};
-use crate::quantity::{Dim, InferredDim};
+use crate::quantity::{self, Dim, InferredDim};
 use crate::syntax::ast::{self, Definition};
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
@@ -45,7 +45,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     work.fixed_values_are_finite(&parameters);
     let range = work.times(&register, &parameters);
     let sketch = work.sketch(&register);
-    let Elaborator { mut arena, functions, mut requirements, space, energies, lengths: of_lengths, .. } = work;
+    let Elaborator { mut arena, functions, mut requirements, space, energies, bare, .. } = work;
     for body in &bodies {
         requirements.extend(body.masses.iter().flat_map(|mass| mass.requirements(&mut arena, &body.name.to_string())));
     }
@@ -79,7 +79,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
         functions,
         requirements,
         sketch,
-        doubts: of_lengths.doubts(),
+        doubts: bare.doubts(),
     };
     diag.is_clean().then_some(model)
 }
@@ -195,9 +195,25 @@ impl Elaborator<'_> {
 
     /// Resolves the names in a dimension.
     pub(super) fn dimension(&mut self, written: &ast::Dimension) -> Option<Dim> {
+        self.dimension_or(written, None)
+    }
+
+    /// Resolves the names in the dimension of a quantity with this default, whose unit tells what a number type of Rust was meant to be.
+    pub(super) fn dimension_like(&mut self, written: &ast::Dimension, default: &ast::Expression) -> Option<Dim> {
+        let of_default = match &default.kind {
+            ast::ExpressionKind::Number { unit, .. } => {
+                quantity::unit(unit).and_then(|(_, dim)| Dim::names().find(|name| Dim::named(name) == Some(dim)))
+            }
+            _ => None,
+        };
+        self.dimension_or(written, of_default)
+    }
+
+    fn dimension_or(&mut self, written: &ast::Dimension, of_default: Option<&str>) -> Option<Dim> {
         if let Some((unknown, _)) = written.factors.iter().find(|(name, _)| Dim::named(&name.to_string()).is_none()) {
             let name = unknown.to_string();
             let near = nearest(&name, Dim::names());
+            let near = of_default.filter(|_| near.as_deref() == Some("Number")).map(ToOwned::to_owned).or(near);
             return self.refuse(unknown, NameFact::UnknownDimension { name, near });
         }
         written.dim()

@@ -34,9 +34,9 @@ pub(crate) fn stub(tree: &Mechanism) -> TokenStream {
         let (visibility, name) = (&tree.visibility, std::mem::replace(&mut tree.name, format_ident!("RefusedT")));
         let [state, loads] = ["State", "Loads"].map(|what| format_ident!("RefusedT{what}"));
         let [own_state, own_loads] = ["State", "Loads"].map(|what| format_ident!("T{what}"));
-        let state = tree.task.is_determined().then(|| quote!(#visibility use #state as #own_state;));
-        let loads = has_forces(&tree).then(|| quote!(#visibility use #loads as #own_loads;));
-        quote!(#[allow(unused_imports)] #visibility use RefusedT as #name; #[allow(unused_imports)] #state #[allow(unused_imports)] #loads)
+        let state = tree.task.is_determined().then(|| quote!(#[allow(unused_imports)] #visibility use #state as #own_state;));
+        let loads = has_forces(&tree).then(|| quote!(#[allow(unused_imports)] #visibility use #loads as #own_loads;));
+        quote!(#[allow(unused_imports)] #visibility use RefusedT as #name; #state #loads)
     });
     let promise = promise(&tree, &tree.visibility, &quote!(loop {}));
     quote!(#promise #alias)

@@ -1,10 +1,10 @@
 //! Parses dimensions: products of powers of named dimensions.
 
 use super::ast::Dimension;
-use super::tokens::{Parsed, expected, literal, name, wrong};
+use super::tokens::{Parsed, brackets, expected, literal, name, wrong};
 use crate::diag::{GrammarFact, Range};
 use syn::parse::ParseStream;
-use syn::{LitInt, Token};
+use syn::{LitInt, Token, token};
 
 /// Largest exponent in a dimension.
 const LARGEST_EXPONENT: u8 = 6;
@@ -32,6 +32,11 @@ pub(super) fn dimension(input: ParseStream) -> Parsed<Dimension> {
     let mut factors = Vec::new();
     let mut sign = 1;
     let mut range = Range::from(input.span());
+    if input.peek(token::Bracket) {
+        let (content, range) = brackets(input)?;
+        let written = format!("[{}]", content.cursor().token_stream());
+        return wrong(range, GrammarFact::ArrayOfDimension { written });
+    }
     loop {
         let factor = name(input, "a dimension such as `Length`")?;
         range = range.to(&factor);

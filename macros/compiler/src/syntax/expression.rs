@@ -11,9 +11,10 @@
 //! ```
 
 use super::ast::{Expression, ExpressionKind, Operator, Path, Relation};
-use super::tokens::{Parsed, braces, brackets, equals, expected, is_path, literal, name, parentheses, path, semicolon, wrong};
+use super::tokens::{Parsed, braces, brackets, equals, expected, is_path, keyword, literal, name, parentheses, path, semicolon, wrong};
 use crate::diag::{GrammarFact, Range};
-use proc_macro2::Span;
+use crate::quantity;
+use proc_macro2::{Delimiter, Span, TokenTree};
 use quote::ToTokens;
 use syn::parse::ParseStream;
 use syn::{Ident, Lit, LitBool, Token, token};
@@ -257,6 +258,12 @@ fn parenthesised(input: ParseStream, room: u16) -> Parsed<Expression> {
         1 => {
             // Parentheses around one value only group it.
             let inner = items.remove(0);
+            if is_unit(input)
+                && let Some(unit) = keyword(input).filter(|word| quantity::unit(&word.to_string()).is_some())
+            {
+                let fact = GrammarFact::UnitBehindParentheses { written: inner.to_string(), unit: unit.to_string() };
+                return wrong(range.to(&unit), fact);
+            }
             Ok(Expression { range, ..inner })
         }
         _ => node(ExpressionKind::Tuple(items), range),
@@ -295,6 +302,7 @@ fn raised(input: ParseStream) -> Option<String> {
 
 fn choice(input: ParseStream, room: u16) -> Parsed<Expression> {
     let first: Span = input.parse::<Token![if]>()?.span;
+    no_parentheses(input)?;
     let lhs = sum(input, room)?;
     let relation = relation(input)?;
     let rhs = sum(input, room)?;
@@ -310,6 +318,19 @@ fn choice(input: ParseStream, room: u16) -> Parsed<Expression> {
     let range = Range::from(first).to(otherwise.range);
     let [lhs, rhs, then, otherwise] = [lhs, rhs, then, otherwise].map(Box::new);
     node(ExpressionKind::If { lhs, relation, rhs, then, otherwise }, range)
+}
+
+/// Refuses `if (a < b) {`, as it is written in C.
+fn no_parentheses(input: ParseStream) -> Parsed<()> {
+    let Some((inside, span, after)) = input.cursor().group(Delimiter::Parenthesis) else { return Ok(()) };
+    let is_condition = after.group(Delimiter::Brace).is_some();
+    let compares = |token: TokenTree| matches!(token, TokenTree::Punct(sign) if ['<', '>', '&', '|', '='].contains(&sign.as_char()));
+    let joins = |token: &TokenTree| matches!(token, TokenTree::Punct(sign) if ['&', '|'].contains(&sign.as_char()));
+    match is_condition && inside.token_stream().into_iter().any(compares) {
+        false => Ok(()),
+        true if inside.token_stream().into_iter().any(|token| joins(&token)) => wrong(span.join(), GrammarFact::TwoConditions),
+        true => wrong(span.join(), GrammarFact::ConditionInParentheses),
+    }
 }
 
 fn braced(input: ParseStream, room: u16) -> Parsed<Expression> {

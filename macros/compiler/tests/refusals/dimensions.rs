@@ -1,6 +1,15 @@
 //! Quantities that do not fit their place.
 
 crate::refusals! {
+    item a_factor_without_its_unit: "drive a = drive_x(ram.B, «50 * sin(1rad_s * t)»);" => "`C` of `drive_x` is a length (m), found a pure number\nhelp: `50` has no unit: write `50mm`";
+    item a_declared_name_in_the_place_of_a_unit: "param s: Length = 5mm; drive a = drive_angle(ram, «10rad / s * t»);" => "`C` of `drive_angle` is an angle (rad), found a quantity in rad·s/m\nnote: `s` is declared in this mechanism, and so is no unit here\nhelp: a unit is one word: write `10rad_s`";
+    item a_declared_name_in_the_place_of_a_unit_of_torque: "param m: Mass = 5kg; force f = { on crank: «5N * m»; };" => "expected a torque (N m), found a quantity in m·kg²/s²\nnote: `m` is declared in this mechanism, and so is no unit here\nhelp: a unit is one word: write `5Nm`";
+    item gains_of_an_angle_without_units: "force f = { on crank: «-100 * crank.angle - 5 * rate(crank.angle)»; };" => "cannot subtract an angular velocity (rad/s) from an angle (rad)\nhelp: give the factors units that make both terms alike, such as `100Nm` and `5Nms`";
+    item gains_of_a_place_without_units: "force f = { at ram.B: («100 * ram.x + 5 * rate(ram.x)», 0N); };" => "cannot add a velocity (m/s) to a length (m)\nhelp: give the factors units that make both terms alike, such as `100N_m` and `5Ns_m`";
+    item a_gear_by_a_radius_and_a_number: "joint a = «gear_pair»(crank, ram, 20mm, 40);" => "in `gear_pair`: cannot add an angle (rad) to a quantity in m·rad\nnote: here `a` is a length (m), `b` is a pure number, `c` is a pure number\nhelp: give `a` and `b` alike: two numbers of teeth, or two radii";
+    mechanism a_lead_by_angle: "mechanism Jack in space { ground { axis z = (0, 0, 1); } body nut { axis z = (0, 0, 1); } joint s = screw(ground.position, ground.z, nut.position, nut.z, lead: «5mm / 1turn»); drive d = drive_rotation(s, 1rad_s * t); }" => "`lead` of `screw` is a length (m), found a quantity in m/rad\nhelp: the lead is the way of one turn: write `lead: 5mm`";
+    item the_value_of_a_profile: "joint a = cam_knife(crank.O, ram.B, «lift(crank.angle)»);" => "`R` of `cam_knife` takes a function of one variable, found a number\nhelp: write `lift`";
+    item rate_of_a_joint: "output w = rate(«hinge»);" => "expected a number, a vector or a point, found a joint\nhelp: in the plane, angles are those of bodies: write `body.angle`, or a difference of two";
     item angle_for_a_length: "param a: Length = «30deg»;" => "expected a length (m), found an angle (rad)";
     item length_for_an_angle: "body b { start angle = «30mm»; }" => "expected an angle (rad), found a length (m)";
     item angle_added_to_a_length: "output b = «length + crank.angle»;" => "cannot add an angle (rad) to a length (m)\nhelp: an arc is a radius times an angle";

@@ -1,6 +1,8 @@
 //! Parameters and their bounds, and values written or read in the wrong place.
 
 crate::refusals! {
+    item number_type_for_a_dimension: "param a: «f64» = 300mm;" => "no dimension is called `f64`\nhelp: did you mean `Length`?";
+    item number_type_for_a_number: "param a: «f64» = 3;" => "no dimension is called `f64`\nhelp: did you mean `Number`?";
     item default_below_its_bounds: "param r: Length = «4mm» in 5mm..=50mm;" => "the default, 4 mm, does not lie in 5 mm ..= 50 mm\nhelp: widen the range, or take a default within";
     item default_at_an_excluded_end: "param r: Length = «50mm» in 5mm..50mm;" => "the default, 50 mm, does not lie in 5 mm .. 50 mm\nhelp: widen the range, or take a default within";
     item default_above_its_bounds: "param r: Angle = «100deg» in ..90deg;" => "the default, 100 deg, does not lie in .. 90 deg\nhelp: widen the range, or take a default within";

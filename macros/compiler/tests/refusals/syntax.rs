@@ -1,6 +1,11 @@
 //! Mistakes of grammar.
 
 crate::refusals! {
+    item unit_behind_parentheses: "param a: Length = «(100 + 20)mm»;" => "a unit stands behind a number, and `mm` behind parentheses\nhelp: write `(100 + 20) * 1mm`";
+    item condition_in_parentheses: "output b = if «(t < 1s)» { 1 } else { 2 };" => "a condition has no parentheses\nhelp: write `if a < b { x } else { y }`";
+    item two_conditions_in_parentheses: "output b = if «(t > 0s && t < 1s)» { 1 } else { 2 };" => "a choice has one condition\nhelp: choose twice, as in `if a < b { if c < d { x } else { y } } else { y }`";
+    item array_of_a_dimension: "param a: «[Length; 3]»;" => "`[Length; 3]` is no dimension: arrays are declared by a loop\nhelp: write `for i in 0..3 { param name[i]: Length = 100mm; }`";
+    item unit_with_a_point: "force f = { on crank: «3N.m»; };" => "a unit is one word, and `3N.m` is several\nhelp: write `3Nm`";
     item semicolon_is_missing: "param a: Length = 10mm «param» b: Length = 20mm;" => "expected `;`, found `param`\nhelp: end what stands before it with `;`";
     mechanism semicolon_is_missing_at_the_end: "mechanism Crank { param a: Length = 10mm «}»" => "expected `;`, found the end\nhelp: end what stands before it with `;`";
     item dimension_is_missing: "param a «=» 10mm;" => "expected `:` and a dimension such as `Length`, found `=`\nhelp: write the dimension behind the name, as in `name: Length = …;`";

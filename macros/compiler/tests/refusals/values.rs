@@ -213,6 +213,46 @@ fn rods_without_a_centre_are_doubted_where_a_point_lies_at_their_length() {
     }
 }
 
+/// Numbers in the place of quantities, wherever they stand.
+#[test]
+fn bare_numbers_in_the_place_of_quantities_are_doubted() {
+    let doubts = |items: &str| {
+        let source = format!(
+            "mechanism M {{ ground {{ axis up = (0, 1); point top = (0mm, 400mm); }} body b {{ mass = 1kg; start y = 100mm; }}
+                joint g = translational(ground.up, ground.position, b.position); {items} }}"
+        );
+        let compiled =
+            reuleaux_compiler::compile(source.parse().expect("tokens")).unwrap_or_else(|refusals| panic!("{items}: {refusals:?}"));
+        compiled.model.doubts.iter().map(|warning| warning.doubt.to_string()).collect::<Vec<String>>()
+    };
+    let angle =
+        |number: &str| format!("`{number}` has no unit: it is {number} rad\nhelp: write `{number}deg`, or `{number}rad` if it is meant");
+    let length = |number: &str| {
+        let told = format!("`{number}` has no unit: it is {number} m, where no other length exceeds 400 mm");
+        format!("{told}\nhelp: write `{number}mm`, or `{number}m` if it is meant")
+    };
+    let driven = "drive d = drive_y(b.position, 100mm);";
+    let with = |items: &str| doubts(&format!("{driven} {items}"));
+    assert_eq!(doubts("force s = spring(ground.top, b.position, stiffness: 1000N_m, rest: 200); freedom y = b.y;"), [length("200")]);
+    assert_eq!(with("output far = if b.y < 300 { 1 } else { 2 };"), [length("300")]);
+    assert_eq!(with("output far = b.y - 90;"), [length("90")]);
+    assert_eq!(with("param swing: Angle = 30; output wave = sin(swing);"), [angle("30")]);
+    assert_eq!(with("param swing: Angle = 1rad in 0..=360; output wave = sin(swing);"), [angle("360")]);
+    let wheel = "body wheel { } joint axle = revolute(ground.position, wheel.position);";
+    let turned = |law: &str| with(&format!("{wheel} drive turn = drive_angle(wheel, {law});"));
+    assert_eq!(turned("90 * cycloidal(t / 1s)"), [angle("90")]);
+    assert_eq!(turned("if t < 1s { 90 } else { 2rad }"), [angle("90")]);
+    let table =
+        "drive turn = drive_angle(wheel, 1rad_s * t); output lift = table(wheel.angle, [(0, 0mm), (90, 5mm), (360, 0mm)], periodic);";
+    assert_eq!(with(&format!("{wheel} {table}")), [angle("360")]);
+    let motor = |speed: &str| with(&format!("{wheel} param speed: AngularVelocity = {speed}; drive turn = drive_angle(wheel, speed * t);"));
+    let words = "`1500` has no unit: it is 1500 rad/s, 14324 rpm\nhelp: write `1500rpm`, or `1500rad_s` if it is meant";
+    assert_eq!(motor("1500"), [words]);
+    for sure in [motor("60"), motor("1500rpm"), turned("2 * cycloidal(t / 1s)"), with("output far = b.y - 2;")] {
+        assert_eq!(sure, Vec::<String>::new());
+    }
+}
+
 /// More than a turn of radians is rather one of degrees.
 #[test]
 fn starts_of_angles_without_unit_are_doubted() {

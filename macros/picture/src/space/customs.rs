@@ -4,6 +4,9 @@ use super::placed::{Of, Placed};
 use super::vector::{UP, Vec3};
 use std::collections::BTreeMap;
 
+/// Points whose middle is closer to a joint than this leave it in no direction (picture units).
+const BALANCED: f64 = 1e-3;
+
 /// Ranges and directions over a motion.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Customs {
@@ -27,7 +30,9 @@ impl Customs {
                 let Some(mover) = joint.given.points().find_map(|of| of.body) else { continue };
                 let at = joint.given.points().next().map_or(Vec3::default(), |of| of.at);
                 let points = &scene.bodies[mover].points;
-                let way = (Vec3::middle(points) - at).direction().unwrap_or_default();
+                let way = Vec3::middle(points) - at;
+                // Where a body is balanced about its joint, rounding would decide.
+                let way = Some(way).filter(|way| way.norm() > BALANCED).and_then(Vec3::direction).unwrap_or_default();
                 let known = customs.leaves.entry(number).or_default();
                 *known = *known + way;
             }

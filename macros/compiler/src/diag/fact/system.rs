@@ -100,6 +100,7 @@ pub enum SystemFact {
         coordinates: Vec<String>,
         free: Vec<String>,
         neglected: Option<Box<Neglected>>,
+        held_by: Option<String>,
     },
     DrivesContend {
         drives: Vec<String>,

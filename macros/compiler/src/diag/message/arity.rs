@@ -42,6 +42,10 @@ impl Display for ArityFact {
                 write!(f, "\nnote: `{signature}`")
             }
             ArityFact::UnknownArgument { definition, name, signature, near } => {
+                if name == "ratio" && near.is_none() && signature.contains(" a: Quantity, b: Quantity") {
+                    write!(f, "`{definition}` has no parameter `{name}`\nhelp: write two numbers of teeth, or two radii: `a: 20, b: 40`")?;
+                    return write!(f, "\nnote: `{signature}`");
+                }
                 write!(f, "`{definition}` has no parameter `{name}`{}\nnote: `{signature}`", did_you_mean(near))
             }
             ArityFact::DuplicateArgument { name, is_also_in_order } => {

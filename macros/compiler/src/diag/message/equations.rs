@@ -8,7 +8,10 @@ use std::fmt::{Display, Formatter, Result};
 impl Display for EquationFact {
     fn fmt(&self, f: &mut Formatter) -> Result {
         match self {
-            EquationFact::TimeIn { place } => write!(f, "{place} does not change with time: `t` cannot be used in it"),
+            EquationFact::TimeIn { place } => {
+                write!(f, "{place} does not change with time: `t` cannot be used in it")?;
+                if *place == "the default of a parameter" { write!(f, "\nhelp: write `let name = …;` for a law") } else { Ok(()) }
+            }
             EquationFact::InputIn { place, input } => {
                 write!(f, "{place} does not change with time: the input `{input}` cannot be used in it")
             }

@@ -206,6 +206,20 @@ impl Display for GrammarFact {
                     "a choice has one condition\nhelp: choose twice, as in `if a < b {{ if c < d {{ x }} else {{ y }} }} else {{ y }}`"
                 )
             }
+            GrammarFact::ConditionInParentheses => {
+                write!(f, "a condition has no parentheses\nhelp: write `if a < b {{ x }} else {{ y }}`")
+            }
+            GrammarFact::UnitBehindParentheses { written, unit } => {
+                write!(
+                    f,
+                    "a unit stands behind a number, and `{unit}` behind parentheses\nhelp: write `({}) * 1{unit}`",
+                    shortened(written)
+                )
+            }
+            GrammarFact::ArrayOfDimension { written } => {
+                write!(f, "`{}` is no dimension: arrays are declared by a loop", shortened(written))?;
+                write!(f, "\nhelp: write `for i in 0..3 {{ param name[i]: Length = 100mm; }}`")
+            }
             GrammarFact::ForceBeforePlace { name, clause } => {
                 write!(f, "a force stands after its point, a torque after its body\nhelp: write `force {name} = {{ {clause}; }}`")
             }

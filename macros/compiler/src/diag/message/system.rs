@@ -178,7 +178,7 @@ impl Display for SystemFact {
                     None => Ok(()),
                 }
             }
-            SystemFact::NothingToDrive { drive, joints, equations: [equations, of], coordinates, free, neglected } => {
+            SystemFact::NothingToDrive { drive, joints, equations: [equations, of], coordinates, free, neglected, held_by } => {
                 write!(f, "`{drive}` has nothing to drive: ")?;
                 match coordinates.as_slice() {
                     [] => write!(f, "{} {} already what it would move", list(joints), if joints.len() == 1 { "holds" } else { "hold" })?,
@@ -191,6 +191,9 @@ impl Display for SystemFact {
                             false => write!(f, "\nnote: {equations} of their {of} equations are on {on} alone: {}", list(many))?,
                         }
                     }
+                }
+                if let Some(joint) = held_by {
+                    return write!(f, "\nhelp: `{joint}` keeps constant what `{drive}` would move: take `{joint}` away");
                 }
                 meant(f, neglected)?;
                 if free.is_empty() {

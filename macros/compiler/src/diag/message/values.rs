@@ -48,6 +48,9 @@ impl Display for ValueFact {
             }
             ValueFact::WrongArgumentDimension { parameter, definition, wanted, found } => {
                 write!(f, "`{parameter}` of `{definition}` is {wanted}, found {found}")?;
+                if parameter == "lead" && found.times(Dim::ANGLE) == *wanted {
+                    return write!(f, "\nhelp: the lead is the way of one turn: write `lead: 5mm`");
+                }
                 if found.times(Dim::TIME) == *wanted && [Dim::ANGLE, Dim::LENGTH].contains(wanted) {
                     return write!(f, "\nhelp: multiply the rate by `t`");
                 }
@@ -71,6 +74,12 @@ impl Display for ValueFact {
             }
             ValueFact::NotARate { written, found, instead } => {
                 write!(f, "`{written}` is {found}, and what grows with `t` is multiplied by a rate\nhelp: write `{instead}`")
+            }
+            ValueFact::BareGains { action, one, two, numbers: [first, second] } => {
+                let units = if *one == Dim::ANGLE { ["Nm", "Nms"] } else { ["N_m", "Ns_m"] };
+                write!(f, "{}", ValueFact::Unlike { action, one: *one, two: *two }.to_string().lines().next().unwrap_or_default())?;
+                let [one, two] = units;
+                write!(f, "\nhelp: give the factors units that make both terms alike, such as `{first}{one}` and `{second}{two}`")
             }
             ValueFact::Unlike { action, one, two } => {
                 let joint = if *action == "equate" || *action == "compare" { "with" } else { "and" };
