@@ -358,7 +358,7 @@ mechanism! {
         param released: Angle = 40deg;
         param springy: Stiffness = 0N_m;
         gravity = (0, -9.81m_s2);
-        body bob { mass = heavy;  center = (0.4m, 0m);  inertia = heavy * 0.02m^2; }
+        body bob { mass = heavy;  center = (0.4m, 0m);  inertia = heavy * (0.02m)^2; }
         joint pivot = revolute(ground.position, bob.position);
         force pull = spring((0m, 1m), bob.position, stiffness: springy, rest: 0.5m);
         freedom swing = bob.angle from released;

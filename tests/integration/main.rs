@@ -12,6 +12,7 @@ mod finite;
 mod kites;
 mod limits;
 mod loads;
+mod long_ways;
 mod mechanisms;
 mod parameters;
 mod plates;

@@ -161,6 +161,7 @@ fn rooms(tree: &ast::Mechanism, definitions: import::Definitions, diag: &mut Dia
     let is_told = |warning: &diag::Warning| angles.iter().any(|told| told.range.last.end() == warning.range.last.end());
     model.doubts.retain(|warning| !is_told(warning));
     model.doubts.extend(angles);
+    model.doubts.extend(hints::doubtful_expressions(tree));
     model.doubts.extend(hints::centered_rods(tree));
     // Every name is an id, every quantity has a dimension.
     let doubts = model.doubts.clone();

@@ -83,6 +83,11 @@ impl<T: Scalar, const N: usize, const I: usize> Dense<T, N, I> {
         Ok(Self { from: from.clone(), h, coefficients: [coefficients(0, q), coefficients(1, u)] })
     }
 
+    /// Where it begins.
+    pub(super) fn beginning(&self) -> State<T, N> {
+        self.from.clone()
+    }
+
     /// True for a time in the step.
     pub(super) fn contains(&self, t: T) -> bool {
         let part = (t - self.from.t) / self.h;

@@ -51,17 +51,24 @@ where
         if self.step.is_none() {
             self.integrator.begin(self.mechanism, state, t)?;
         }
+        let mut is_short = false;
         for _ in 0..self.integrator.most {
             if state.t == t {
                 return Ok(state.clone());
             }
             if let Some(step) = self.step.as_ref().filter(|step| step.contains(t)) {
                 let tolerance = (self.integrator.tolerance, self.integrator.fastest);
-                return step.at(self.mechanism, self.reached.as_ref().map(|reached| &reached.pivots), t, tolerance);
+                let found = step.at(self.mechanism, self.reached.as_ref().map(|reached| &reached.pivots), t, tolerance);
+                if found.is_ok() || is_short {
+                    return found;
+                }
+                // Something moves within the step and is at rest at its ends: the steps to this time begin where it began.
+                *state = step.beginning();
+                (self.step, self.reached, is_short) = (None, None, true);
             }
             let whole = if t < state.t { T::of(f64::NEG_INFINITY) } else { T::of(f64::INFINITY) };
             // Steps that do not know their stages end at the times.
-            let beyond = if K::IS_DENSE { whole } else { t };
+            let beyond = if K::IS_DENSE && !is_short { whole } else { t };
             let before = self.integrator;
             let (next, rates) = match self.integrator.next(self.mechanism, state, &mut self.reached, beyond) {
                 Ok(found) => found,

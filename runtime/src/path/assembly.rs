@@ -19,8 +19,8 @@ use crate::number::Float;
 use crate::solve::{ColdSolver, Followed, Stages};
 use crate::state::State;
 
-/// Largest number of steps from the defaults to the parameters, accepted or not.
-const MOST_STEPS: usize = 2000;
+/// Largest number of steps from the defaults to the parameters, accepted or not: enough for ten thousand turns of a drive.
+const MOST_STEPS: usize = 1_000_000;
 
 /// Largest distance between solution and prediction: of a length, as a fraction of the predicted change plus L; of an angle, in
 /// rad.
@@ -54,7 +54,9 @@ pub(crate) fn assemble<T: Float, E: Stages<T, N>, const N: usize>(equations: &E)
     let (lambda, here) = match follow(equations, &origin) {
         Ok((state, None)) => return Ok(state),
         Ok((_, Some(cause))) => return Err(alone(cause)),
-        Err(end) => end,
+        Err(Unfinished::BranchEnds(lambda, here)) => (lambda, here),
+        // An assembly near the last state may have turned less often than its drive.
+        Err(Unfinished::TooFar) => return Err(alone(Cause::TooManySteps { steps: MOST_STEPS })),
     };
     let first = match near(&here.q) {
         Ok(state) if state.branch == origin.branch => return Ok(state),
@@ -102,13 +104,17 @@ pub(crate) fn assemble_near<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     Ok(valid_state(&mechanism, t, ColdSolver::from_guess(&mechanism, &guess))?)
 }
 
+/// Why the parameters were not reached from the defaults.
+enum Unfinished<T, const N: usize> {
+    /// The branch ends at this λ; the last state before.
+    BranchEnds(T, State<T, N>),
+    /// The steps were used up.
+    TooFar,
+}
+
 /// Follows the branch from the defaults. Returns the state at the parameters, with the redundant joint that does not fit there if
-/// there is one; or λ and the last state where the branch ends.
-#[allow(clippy::type_complexity)]
-fn follow<T: Float, E: Stages<T, N>, const N: usize>(
-    equations: &E,
-    origin: &State<T, N>,
-) -> Result<(State<T, N>, Option<Cause<T>>), (T, State<T, N>)> {
+/// there is one.
+fn follow<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, origin: &State<T, N>) -> Result<CheckedState<T, N>, Unfinished<T, N>> {
     let (zero, one) = (T::of(0.0), T::of(1.0));
     let (mut here, mut reached, mut step) = (origin.clone(), zero, one);
     // dq/dλ, from the last step.
@@ -128,10 +134,10 @@ fn follow<T: Float, E: Stages<T, N>, const N: usize>(
         }
         // Rounding errors of the parameters move a fold by about this much; those of the defaults are smaller than any step.
         if step < T::ROOT_EPSILON * reached + T::EPSILON * T::EPSILON {
-            break;
+            return Err(Unfinished::BranchEnds(reached, here));
         }
     }
-    Err((reached, here))
+    Err(Unfinished::TooFar)
 }
 
 /// One step from `here` to other parameters, with the predicted change `slope` times `by`.

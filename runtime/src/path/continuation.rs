@@ -7,7 +7,7 @@
 //! redundant equations hold; if computed angles are close to their predictions; and if binary links keep their sides. A rejected step
 //! is halved; after a success the step is doubled.
 
-use super::branch::{is_same_branch, keeps_sides};
+use super::branch::{is_close, is_same_branch, keeps_sides, turns_on};
 use super::cold::cold_state;
 use super::crossing;
 use crate::names::{self, Cause, CoordinateKind, Culprit};
@@ -111,8 +111,10 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
     // A state of slightly different parameters is first solved again at its own time; a state of these parameters does not change
     // by that.
     let seated = cold_state(mechanism, state.t, ColdSolver::from_prediction(mechanism, state, T::of(0.0)));
-    let mut is_solved = seated.is_ok();
-    let (mut here, fits) = seated.map_or_else(|_| (state.clone(), true), |(seated, off)| (seated, off.is_none()));
+    // A drive that has turned on by itself has left the others behind, perhaps by whole turns.
+    let mut is_solved = matches!(&seated, Ok((seated, _)) if !turns_on(mechanism, &state.q, &seated.q));
+    let given = || (state.clone(), true);
+    let (mut here, fits) = seated.map_or_else(|_| given(), |(seated, off)| if is_solved { (seated, off.is_none()) } else { given() });
     // Why there was no state at `t`, as far as a redundant equation is to blame.
     let mut refused = None;
     let mut waypoint = here.clone();
@@ -126,7 +128,7 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
                 refused = refused.or((next == t).then_some(cause));
                 Ok(refused.unwrap_or(cause))
             }
-            Ok((there, _)) if is_behind_peak(&waypoint, &here, &there) => Err(StepError::Far),
+            Ok((there, _)) if is_behind_peak(&waypoint, &here, &there) || strays(mechanism, &here, &there) => Err(StepError::Far),
             Ok((there, _)) if !is_same_branch(mechanism, &here, &there) && halves(mechanism, &mut step, next, &here, t - state.t) => {
                 continue;
             }
@@ -168,6 +170,11 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
     Err(Ended::TooManySteps { steps: most, here })
 }
 
+/// Whether a step leads to another branch, or so far that it cannot be told.
+fn strays<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &State<T, N>, there: &State<T, N>) -> bool {
+    !is_same_branch(mechanism, here, there) && !is_close(mechanism, here, there)
+}
+
 /// Whether a step leads away from a place that is so nearly singular that rounding would choose between the branches that cross there: their
 /// distance, about 1 / condition, is hardly larger than the rounding errors of positions, about ε times the condition. Such a place is
 /// [crossed](crossing::cross).
@@ -181,7 +188,8 @@ fn largest_condition<T: Float>(share: f64) -> T {
     T::of(share) / T::ROOT_EPSILON.sqrt()
 }
 
-/// Halves a step; false if it cannot be shorter, because time or the coordinates would change by less than their rounding.
+/// Halves a step; false if it cannot be shorter, because time would change by less than its rounding, or near the end of a branch the
+/// coordinates would. Elsewhere the rates at hand tell nothing of a law that has yet to begin.
 ///
 /// * `whole`: given, s, the whole time to be covered.
 fn halves<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, step: &mut T, next: T, here: &State<T, N>, whole: T) -> bool {
@@ -191,15 +199,15 @@ fn halves<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, step: &mut T
     let length = length_of(mechanism.length);
     // So close to a fold rounding errors let the shortest steps fail and succeed at random.
     let is_at_end = here.condition * T::ROOT_EPSILON > T::of(NEARLY_SINGULAR);
-    // Laws that begin at rest have rates of rounding errors there.
+    // Laws that begin at rest have rates of rounding errors there, also near the end of a branch.
     let (mut moves, mut rests) = (false, true);
     for &i in mechanism.iterated {
         let (Some(&q), Some(&qd), Some(&qdd)) = (here.q.get(i), here.qd.get(i), here.qdd.get(i)) else { continue };
         let way = |h: T| (h * qd).abs() + (h * h * qdd).abs();
         let size = if names::coordinate(mechanism.coordinates, i).kind == CoordinateKind::Length { length } else { T::of(1.0) };
         let rounding = T::EPSILON * (q.abs() + size);
-        moves |= way(h) > if is_at_end { T::of(LEAST_WAY) * size / here.condition } else { rounding };
+        moves |= way(h) > T::of(LEAST_WAY) * size / here.condition;
         rests &= way(whole) <= T::of(MOST_AT_REST) * rounding;
     }
-    h.abs() > T::of(SHORTEST_STEP) * T::EPSILON * time && (rests || moves)
+    h.abs() > T::of(SHORTEST_STEP) * T::EPSILON * time && (rests || moves || !is_at_end)
 }

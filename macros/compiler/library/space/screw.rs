@@ -18,6 +18,7 @@ constraint screw(P: Point, a: Axis, Q: Point, b: Axis, lead: Length, offset: Len
     require P.body == a.body: "the first point and the first axis of a screw joint belong to one body";
     require Q.body == b.body: "the second point and the second axis of a screw joint belong to one body";
     require P.body != Q.body: "the two points of a screw joint lie on the same body";
+    require lead != 0: "a screw without a lead does not advance: write `revolute`, or the way of one turn";
     let angle = joint_angle(a, b);
     let displacement = along(a, Q - P);
     across(a, Q - P) == 0;

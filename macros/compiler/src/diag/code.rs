@@ -45,7 +45,7 @@ codes! {
     E0001: Grammar::Syntax Grammar::Expected Grammar::ArgumentByEquals Grammar::Unnamed Motion::EquationWithoutBraces Motion::RateBeforeStart
         Motion::PlaceWithoutAt Motion::StartWithEquals Motion::FreedomWithoutName Motion::DriveWithoutName Grammar::OneEqualsSign
         Grammar::HashComment Grammar::CommaAtEnd Grammar::DecimalComma Grammar::OutputWithoutName Grammar::OutputWithDimension
-        Grammar::TwoConditions Grammar::ConditionInParentheses Grammar::ArrayOfDimension Grammar::ComparisonOutside Grammar::ForceBeforePlace Grammar::StraySemicolon Grammar::Return;
+        Grammar::TwoConditions Grammar::ConditionInParentheses Grammar::NumberBeforeParentheses Grammar::OutputInUnit Grammar::ArrayOfDimension Grammar::ComparisonOutside Grammar::ForceBeforePlace Grammar::StraySemicolon Grammar::Return;
     E0002: Grammar::NotANumber;
     E0003: Grammar::TooDeep Grammar::TooLong Grammar::LongChain Grammar::PartsTooDeep;
     E0004: Grammar::Keyword;
@@ -53,7 +53,7 @@ codes! {
     E0006: Grammar::TokensAfter;
     E0007: Grammar::UnknownItem;
     E0008: Grammar::UnknownBodyItem Grammar::FeatureOutside;
-    E0009: Motion::InertiaOfNumbers Motion::InertiaOfVector Grammar::WithoutParentheses Value::NotTwoComponents Value::NotThreeComponents;
+    E0009: Motion::InertiaOfNumbers Motion::InertiaOfVector Grammar::WithoutParentheses Value::NotTwoComponents Value::PoseAsPosition Value::NotThreeComponents;
     E0010: Grammar::DoubleStar Grammar::MethodCall Grammar::RustConstant;
     E0011: Grammar::PathOfConstraint;
     E0012: Grammar::SpaceBeforeUnit Grammar::UnitBehindParentheses Grammar::UnitRaised;
@@ -66,7 +66,7 @@ codes! {
     E0103: Name::UnknownFunction Name::UnknownShape;
     E0104: Name::UnknownConstraint Name::NotAConstraint Array::ComponentAsConstraint Motion::UnknownForce;
     E0105: Array::UnknownComponent;
-    E0106: Name::UnknownUnit Name::UnitAlone Name::UnitInParts;
+    E0106: Name::UnknownUnit Name::UnitAlone Name::PointInBody Name::UnitInParts;
     E0107: Name::UnknownDimension;
     E0108: Name::UnknownKind;
     E0109: Name::UnknownStart;

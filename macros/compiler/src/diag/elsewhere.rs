@@ -3,6 +3,11 @@
 /// Units that the language lacks, and one of each in units that it has.
 const EQUIVALENTS: &[(&str, &str)] = &[
     ("dm", "100mm"),
+    ("µm", "1um"),
+    ("ms2", "1m_s2"),
+    ("lbft", "1lbf * 1ft"),
+    ("ftlb", "1lbf * 1ft"),
+    ("N_mm2", "1MPa"),
     ("nm", "0.001um"),
     ("mil", "0.0254mm"),
     ("thou", "0.0254mm"),
@@ -23,7 +28,7 @@ const EQUIVALENTS: &[(&str, &str)] = &[
     ("um_s", "0.001mm_s"),
     ("cm_s2", "10mm_s2"),
     ("km_s", "1000m_s"),
-    ("kmh", "1km / 1h"),
+    ("kmh", "1km_h"),
     ("mph", "5280ft / 1h"),
     ("mm3", "1mm2 * 1mm"),
     ("cm3", "100mm2 * 1cm"),
@@ -75,6 +80,11 @@ mod tests {
     /// Units without a prefix before a unit of the language, in SI by their definitions.
     const DEFINED: &[(&str, f64)] = &[
         ("min", 60.0),
+        ("µm", 1e-6),
+        ("ms2", 1.0),
+        ("lbft", POUND * GRAVITY * 12.0 * INCH),
+        ("ftlb", POUND * GRAVITY * 12.0 * INCH),
+        ("N_mm2", 1e6),
         ("mm2", 1e-6),
         ("cm2", 1e-4),
         ("lb", POUND),

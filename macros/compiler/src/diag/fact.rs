@@ -38,6 +38,16 @@ pub enum Note {
         /// The number with its unit.
         instead: String,
     },
+    /// Another expression was meant.
+    Instead {
+        /// The expression.
+        written: String,
+    },
+    /// A rate is multiplied by the time where a rate is wanted.
+    WithoutTime {
+        /// The rate.
+        written: String,
+    },
     /// A factor lacks its unit.
     BareFactor {
         /// The number as written.
@@ -104,6 +114,8 @@ pub enum GrammarFact {
     OutputWithDimension { name: String },
     TwoConditions,
     ConditionInParentheses,
+    NumberBeforeParentheses { number: String, is_range: bool },
+    OutputInUnit { unit: String },
     UnitBehindParentheses { written: String, unit: String },
     ArrayOfDimension { written: String },
     ComparisonOutside,
@@ -161,6 +173,7 @@ pub enum ArrayFact {
 pub enum NameFact {
     UnknownName { name: String, near: Option<String>, is_of_definition: bool },
     OutputRead { name: String },
+    PointInBody { name: String },
     UnitAlone { name: String },
     UnitInParts { written: String, instead: String },
     UnknownField { owner: String, name: String, near: Option<String>, known: Known },
@@ -230,6 +243,7 @@ pub enum ValueFact {
     WrongDimension { wanted: Dim, found: Dim },
     OfFunction { wanted: Dim, found: Dim },
     NotARate { written: String, found: Dim, instead: String },
+    PoseAsPosition { written: String },
     BareGains { action: &'static str, one: Dim, two: Dim, numbers: [String; 2] },
     Unlike { action: &'static str, one: Dim, two: Dim },
     NotALength { found: Dim, instead: Option<String> },

@@ -1,7 +1,7 @@
 //! Functions of other languages, with their equivalents here.
 
 /// Names of functions, the reason why there is none of these names, if it is not obvious, and what to write.
-const FUNCTIONS: [(&[&str], &str, &str); 31] = [
+const FUNCTIONS: [(&[&str], &str, &str); 35] = [
     (&["pow", "powi", "powf", "power", "sqr", "square", "squared"], "", "a power is written `a^b`"),
     (&["cbrt"], "", "for x > 0 it is the power `x^(1/3)`"),
     (&["hypot"], "", "write `sqrt(a^2 + b^2)`"),
@@ -62,7 +62,15 @@ const FUNCTIONS: [(&[&str], &str, &str); 31] = [
     (
         &["deg", "degrees", "to_degrees", "rad2deg"],
         ": angles have no unit inside a mechanism",
-        "write `.to_degrees()` in Rust, where outputs are in rad",
+        "an angle in degrees is written `60deg`; outputs are in rad, and `.to_degrees()` is written in Rust",
+    ),
+    (&["cot"], "", "write `1 / tan(x)`"),
+    (&["sec", "csc"], "", "write `1 / cos(x)` or `1 / sin(x)`"),
+    (&["dist", "distance_between"], "", "the distance of two points is `norm(Q - P)`"),
+    (
+        &["kinetic_energy", "potential_energy", "total_energy", "ke", "pe"],
+        ": energies are computed for a state, in Rust",
+        "write `mechanism.energy(&state)` there, with `kinetic` and `potential`",
     ),
     (&["radians", "to_radians", "deg2rad"], "", "an angle in degrees has a unit, such as `30deg`; of a number it is `x * 1deg`"),
 ];

@@ -33,6 +33,12 @@ impl Fact {
     }
 }
 
+/// A message up to its first suggestion.
+fn without_help(fact: &Fact) -> String {
+    let sentence = fact.to_string();
+    sentence.split("\nhelp").next().unwrap_or_default().to_owned()
+}
+
 /// Splits a message after its first line.
 fn parted(sentence: &str) -> (&str, &str) {
     sentence.split_at(sentence.find('\n').unwrap_or(sentence.len()))
@@ -61,8 +67,12 @@ impl fmt::Display for Fact {
                     "{fact}\nnote: `{name}` is declared in this mechanism, and so is no unit here\nhelp: a unit is one word: write `{instead}`"
                 )
             }
+            Fact::Noted { fact, note: Note::Instead { written } } => write!(f, "{}\nhelp: write `{written}`", without_help(fact)),
+            Fact::Noted { fact, note: Note::WithoutTime { written } } => {
+                write!(f, "{}\nhelp: take the factor `t` away: `{written}`", without_help(fact))
+            }
             Fact::Noted { fact, note: Note::BareFactor { number, instead } } => {
-                write!(f, "{fact}\nhelp: `{number}` has no unit: write `{instead}`")
+                write!(f, "{}\nhelp: `{number}` has no unit: write `{instead}`", without_help(fact))
             }
             Fact::Doubtful { fact, doubt } => write!(f, "{fact}\nnote: {doubt}"),
             Fact::InDefinition { definition, quantities, fact } => {
@@ -131,6 +141,36 @@ impl fmt::Display for Doubt {
                 let in_rpm = number.parse::<f64>().map_or(f64::NAN, |value| (value * 30.0 / std::f64::consts::PI).round());
                 write!(f, "`{number}` has no unit: it is {number} rad/s, {in_rpm} rpm")?;
                 write!(f, "\nhelp: write `{number}rpm`, or `{number}rad_s` if it is meant")
+            }
+            Doubt::RaisedNumber { written, meaning, instead } => {
+                write!(f, "`{written}` raises the number, too: it is `{meaning}`\nhelp: write `{instead}`, or `{meaning}` if it is meant")
+            }
+            Doubt::TurnsAsAngle { written } => {
+                write!(f, "`{written}` counts turns, and as an angle it is taken in radians")?;
+                write!(f, "\nhelp: write `1turn * {written}`, or give an `AngularVelocity` instead of a `Frequency`")
+            }
+            Doubt::InputByTime { input } => {
+                write!(f, "a change of `{input}` acts over all the time before it: `{input} * t` jumps")?;
+                write!(
+                    f,
+                    "\nhelp: equate a rate, `drive name = {{ rate(body.angle) == {input}; }}`, in a mechanism that is `#[integrated]`"
+                )
+            }
+            Doubt::UnusualGravity { found } => {
+                write!(f, "the acceleration of free fall is {found} here, and 9.81 m/s² on earth\nhelp: write `9.81m_s2`")
+            }
+            Doubt::WideInertia { body, radius, longest } => {
+                write!(f, "the inertia of `{body}` is that of its mass at a distance of {radius}, where no length exceeds {longest}")?;
+                write!(f, "\nhelp: a number without a unit is in kg m²; write `kgm2`, `kgcm2` or `kgmm2`")
+            }
+            Doubt::RodAcross { body, point, instead } => {
+                write!(f, "a rod lies along x, and `{point}` of `{body}` across it\nhelp: write `inertia = {instead};`")
+            }
+            Doubt::PointCalledCenter { body } => {
+                write!(
+                    f,
+                    "`center` is a point here, and the centre of mass of `{body}` is its origin\nhelp: write `center = (…);` for the centre of mass"
+                )
             }
             Doubt::CenteredRod { body, point, center, origin } => {
                 write!(f, "`{body}` has its centre of mass at its origin, so that its rod ends at half the distance of `{point}`")?;

@@ -16,6 +16,9 @@ pub(super) fn of_kind(wanted: &Wanted, found: &Kind, ambient: Ambient) -> &'stat
         (Wanted::Number | Wanted::NumberOrVector | Wanted::Quantity(_), Kind::Body) => {
             "\nhelp: its coordinates are `.x`, `.y` and `.z`, its place is `.position`; angles are those of joints, `joint.angle`"
         }
+        (Wanted::NumberVectorOrPoint, Kind::Body) => {
+            "\nhelp: write `rate(body.position)` for the velocity of its origin, or `body.angular_velocity`"
+        }
         (Wanted::Number | Wanted::Quantity(_), Kind::Point | Kind::Vector | Kind::Axis) if is_plane => {
             "\nhelp: its components are `.x` and `.y`, its length is `norm(…)`"
         }
@@ -147,6 +150,7 @@ pub(super) fn of_dimension(wanted: Dim, found: Dim) -> &'static str {
         (Dim::LENGTH, Dim::FORCE) => {
             "\nhelp: for a given force write `force name = actuator(P, Q, F);`, and for the motion `freedom name = …;`"
         }
+        (Dim::MASS, Dim::FORCE) => "\nhelp: a mass is in kg, such as `2kg`; its weight follows from `gravity`",
         (Dim::TORQUE, Dim::FORCE) => "\nhelp: a torque is a force times an arm, such as `5Nm`; a force is written `at point: (0N, -5N);`",
         (Dim::FORCE, Dim::TORQUE) => "\nhelp: a torque is written `on body: 5Nm;`, without a point",
         (wanted, found) if wanted == Dim::MASS.per(Dim::LENGTH) && found == Dim::FORCE.times(Dim::TIME).per(Dim::LENGTH) => {

@@ -68,6 +68,53 @@ pub enum Doubt {
         /// The number as written.
         number: String,
     },
+    /// A power that applies to a number with its unit.
+    RaisedNumber {
+        /// The power as written.
+        written: String,
+        /// The same with parentheses.
+        meaning: String,
+        /// With the power of the unit alone.
+        instead: String,
+    },
+    /// A frequency times the time, which counts turns, as an angle.
+    TurnsAsAngle {
+        /// The product as written.
+        written: String,
+    },
+    /// A product of an input and the time, which jumps with the input.
+    InputByTime {
+        /// The input.
+        input: String,
+    },
+    /// Free fall of an unusual size.
+    UnusualGravity {
+        /// Its size, with units.
+        found: String,
+    },
+    /// An inertia of a body much larger than all lengths.
+    WideInertia {
+        /// The body.
+        body: String,
+        /// Radius of gyration.
+        radius: String,
+        /// The longest length with a unit.
+        longest: String,
+    },
+    /// A rod along x in a body with a point at its length in another direction.
+    RodAcross {
+        /// The body.
+        body: String,
+        /// The point.
+        point: String,
+        /// The inertia, as it may be written.
+        instead: String,
+    },
+    /// A point called `center` in a body with a mass.
+    PointCalledCenter {
+        /// The body.
+        body: String,
+    },
     /// A rod whose centre is the origin of its body does not reach a point at the distance of its length.
     CenteredRod {
         /// The body.
@@ -120,6 +167,13 @@ impl Warning {
             Doubt::BareLength { .. } => "bare_length",
             Doubt::BareAngle { .. } => "bare_angle",
             Doubt::BareSpeed { .. } => "bare_speed",
+            Doubt::RaisedNumber { .. } => "raised_number",
+            Doubt::TurnsAsAngle { .. } => "turns_as_angle",
+            Doubt::InputByTime { .. } => "input_by_time",
+            Doubt::UnusualGravity { .. } => "unusual_gravity",
+            Doubt::WideInertia { .. } => "wide_inertia",
+            Doubt::RodAcross { .. } => "rod_across",
+            Doubt::PointCalledCenter { .. } => "point_called_center",
             Doubt::CenteredRod { .. } => "centered_rod",
             Doubt::Undercut { .. } => "undercut",
             Doubt::MotionEnds(_) => "motion_ends",

@@ -64,20 +64,13 @@ fn of_joint(body: &JointBody, found: &mut Vec<Warning>) {
 }
 
 fn of(expr: &Expression, found: &mut Vec<Warning>) {
-    match &expr.kind {
-        ExpressionKind::Call(path, arguments) => {
-            let name = path.name.as_ref().map(ToString::to_string).filter(|name| ["sin", "cos", "tan"].contains(&name.as_str()));
-            if let (Some(function), [argument]) = (name, arguments.as_slice()) {
-                of_angle(AngleOf::Function(function), argument, found);
-            }
-            arguments.iter().for_each(|argument| of(argument, found));
+    expr.each(&mut |part| {
+        let ExpressionKind::Call(path, arguments) = &part.kind else { return };
+        let name = path.name.as_ref().map(ToString::to_string).filter(|name| ["sin", "cos", "tan"].contains(&name.as_str()));
+        if let (Some(function), [argument]) = (name, arguments.as_slice()) {
+            of_angle(AngleOf::Function(function), argument, found);
         }
-        ExpressionKind::Path(_) | ExpressionKind::Number { .. } => {}
-        ExpressionKind::Field(value, _) | ExpressionKind::Negative(value) => of(value, found),
-        ExpressionKind::Index(one, two) | ExpressionKind::Binary(_, one, two) => [one, two].into_iter().for_each(|side| of(side, found)),
-        ExpressionKind::Tuple(items) | ExpressionKind::List(items) => items.iter().for_each(|item| of(item, found)),
-        ExpressionKind::If { lhs, rhs, then, otherwise, .. } => [lhs, rhs, then, otherwise].into_iter().for_each(|part| of(part, found)),
-    }
+    });
 }
 
 /// True for `body.angle` and `joint.angle`.
@@ -118,7 +111,7 @@ fn is_number(value: &Expression) -> bool {
 }
 
 /// True for a sine or cosine, or a law of the library that goes from 0 to 1.
-fn is_wave(value: &Expression) -> bool {
+pub(super) fn is_wave(value: &Expression) -> bool {
     let is_of_waves = |name: &Ident| name == "sin" || name == "cos" || library::functions().any(|law| name == law && law != "wrap");
     matches!(&value.kind, ExpressionKind::Call(path, _) if path.name.as_ref().is_some_and(is_of_waves))
 }

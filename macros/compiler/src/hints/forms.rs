@@ -1,8 +1,8 @@
 //! Expressions that are often written in place of others.
 
-use crate::diag::Range;
+use crate::diag::{Fact, Note, Range, ValueFact};
 use crate::quantity::{self, Dim};
-use crate::syntax::ast::{Expression, ExpressionKind, Operator};
+use crate::syntax::ast::{Expression, ExpressionKind, Limits, Operator};
 use proc_macro2::Ident;
 
 /// A unit written in parts, with its number, as a single unit: `500N / mm` as `500N_mm`; and the identifiers taken for units.
@@ -106,6 +106,64 @@ pub(crate) fn bare_factor(value: &Expression) -> Option<String> {
         ExpressionKind::Binary(Operator::Mul, lhs, rhs) => bare_factor(lhs).or_else(|| bare_factor(rhs)),
         ExpressionKind::Binary(Operator::Add | Operator::Sub | Operator::Div, lhs, _) => bare_factor(lhs),
         _ => None,
+    }
+}
+
+/// The factor beside `t` in a product.
+pub(crate) fn without_time(value: &Expression) -> Option<String> {
+    let ExpressionKind::Binary(Operator::Mul, one, two) = &value.kind else { return None };
+    let is_time = |side: &Expression| side.name().is_some_and(|name| name == "t");
+    match (is_time(one), is_time(two)) {
+        (false, true) => Some(one.to_string()),
+        (true, false) => Some(two.to_string()),
+        _ => None,
+    }
+}
+
+/// Adds to an error about a dimension what was probably meant.
+///
+/// * `declared`: given, an expression in which a declared name stands like a unit, that name, and the number with the unit.
+/// * `written`: given, an expression in the place of a quantity of this dimension.
+pub(crate) fn noted(
+    declared: &Option<(Range, String, String)>,
+    fact: ValueFact,
+    range: Range,
+    written: Option<(&Expression, Dim)>,
+) -> Fact {
+    let fact = Box::new(Fact::from(fact));
+    let (start, end) = (range.first.start(), range.last.end());
+    if let Some((within, name, instead)) = declared
+        && start <= within.first.start()
+        && within.last.end() <= end
+    {
+        return Fact::Noted { fact, note: Note::DeclaredUnit { name: name.clone(), instead: instead.clone() } };
+    }
+    match written.and_then(|(written, wanted)| with_unit(written, wanted)) {
+        Some([number, instead]) => Fact::Noted { fact, note: Note::BareFactor { number, instead } },
+        None => *fact,
+    }
+}
+
+/// Adds to the refusal of a default the bounds that lack its unit. A bound of 0 needs none.
+pub(crate) fn with_bare_bounds(fact: ValueFact, default: &Expression, limits: Option<&Limits>) -> Fact {
+    let fact = Fact::from(fact);
+    let bounds = limits.into_iter().flat_map(|limits| limits.from.iter().chain(&limits.to));
+    match (&default.kind, bounds.filter_map(bare_factor).next_back()) {
+        (ExpressionKind::Number { unit, .. }, Some(number)) if !unit.is_empty() && number != "0" => {
+            let note = Note::BareFactor { instead: format!("{number}{unit}"), number };
+            Fact::Noted { fact: Box::new(fact), note }
+        }
+        _ => fact,
+    }
+}
+
+/// Adds to the refusal of an equation of a rate and a product with `t` that the factor is too much: `arm.angular_velocity == 60rpm * t`.
+pub(crate) fn with_time_too_much(fact: Fact, sides: [&Expression; 2], dims: [Dim; 2]) -> Fact {
+    let grown = |rate: usize, other: usize| dims[rate].times(Dim::TIME) == dims[other];
+    let late = [(0, 1), (1, 0)].into_iter().find(|(rate, other)| grown(*rate, *other)).and_then(|(_, late)| without_time(sides[late]));
+    match late.filter(|_| !matches!(fact, Fact::Noted { .. })) {
+        Some(written) => Fact::Noted { fact: Box::new(fact), note: Note::WithoutTime { written } },
+        None => fact,
     }
 }
 

@@ -7,6 +7,7 @@
 mod ambient;
 mod angles;
 mod bare;
+mod doubts;
 mod forms;
 mod generated;
 mod outputs;
@@ -17,9 +18,10 @@ mod unused;
 pub(crate) use ambient::{is_meant, means_space};
 pub(crate) use angles::bare_angles;
 pub(crate) use bare::BareNumbers;
+pub(crate) use doubts::doubtful_expressions;
 pub(crate) use forms::{
-    argument_of, bare_factor, by_time, cross_product, decimal_comma, in_millimetres, in_words, is_measured, is_zero, orientation_of,
-    place_of_argument, point_of, unit_in_parts, with_unit,
+    argument_of, bare_factor, by_time, cross_product, decimal_comma, in_millimetres, in_words, is_measured, is_zero, noted, orientation_of,
+    place_of_argument, point_of, unit_in_parts, with_bare_bounds, with_time_too_much, without_time,
 };
 pub(crate) use generated::{is_generated, is_of_generated_type};
 pub(crate) use outputs::{OutputKind, derivatives, output_kind};

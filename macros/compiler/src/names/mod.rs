@@ -9,12 +9,16 @@ mod declare;
 mod key;
 mod kind;
 mod proposals;
+mod register;
 mod scope;
 mod signature;
 mod value;
 
 pub(crate) use key::Key;
 pub(crate) use kind::{nearest_kind, unknown_kind};
+pub(crate) use register::{
+    FixedValue, HEIGHT, INPUT_PARTS, Notes, OpenPart, Register, Written, duplicate, is_one_of_many, misread_height, unknown_field,
+};
 pub(crate) use scope::{Instance, Scope, Timeless};
 pub(crate) use signature::{fits, is_between, places, signature, too_few, too_many, unknown_argument, wanted};
 pub(crate) use value::{Arguments, Fixed, FrameId, FunctionValue, Scalar, Value, Vector};

@@ -11,6 +11,11 @@ use proc_macro2::Ident;
 
 /// The expression of a table.
 pub(crate) fn table(work: &mut impl Valuer, name: &Ident, arguments: &[ast::Expression], scope: &Scope) -> Option<Scalar> {
+    let is_list = |written: &ast::Expression| matches!(written.kind, ExpressionKind::List(_) | ExpressionKind::Tuple(_));
+    let columns_apart = arguments.iter().skip(1).filter(|written| is_list(written)).count() > 1;
+    if let Some(first) = arguments.get(1).filter(|_| columns_apart) {
+        return work.reject(first.range, ValueFact::TableNeedsList);
+    }
     let (x, points, ends) = match arguments {
         [x, points] => (x, points, Ends::Linear),
         [x, points, ends] => (x, points, self::ends(work, ends)?),

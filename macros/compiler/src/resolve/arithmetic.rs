@@ -1,10 +1,11 @@
 //! Arithmetic of numbers and vectors: sums, products, powers, choices, and the residuals of equations.
 
 use super::Components;
-use super::elaborate::{Elaborator, misread_height};
+use super::elaborate::Elaborator;
 use crate::diag::{ArrayFact, Range, ValueFact, Wanted};
 use crate::expr::{Exact, Expr, Unary};
-use crate::hints::{bare_factor, decimal_comma, in_millimetres, is_measured};
+use crate::hints::{bare_factor, decimal_comma, in_millimetres, is_measured, noted, with_time_too_much};
+use crate::names::misread_height;
 use crate::names::{Scalar, Scope, Value, Vector};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Operator, Relation};
@@ -132,7 +133,7 @@ impl Elaborator<'_> {
             Operator::Add | Operator::Sub | Operator::Power | Operator::Rem => {
                 let Some(measure) = one.measure.common(two.measure) else {
                     let fact = ValueFact::Unlike { action: action(operator), one: one.measure.settled(), two: two.measure.settled() };
-                    let fact = self.noted(fact, range, None);
+                    let fact = noted(&self.declared_unit, fact, range, None);
                     return self.refuse(range, fact);
                 };
                 let expr = if operator == Operator::Add { self.arena.add(one.expr, two.expr) } else { self.arena.sub(one.expr, two.expr) };
@@ -308,7 +309,9 @@ impl Elaborator<'_> {
         let (left, right) = (left?, right?);
         if let (Value::Scalar(one), Value::Scalar(two)) = (&left, &right) {
             let Some(measure) = one.measure.common(two.measure) else {
-                return self.refuse(range, ValueFact::Unlike { action: "equate", one: one.measure.settled(), two: two.measure.settled() });
+                let found = [one, two].map(|scalar| scalar.measure.settled());
+                let fact = noted(&self.declared_unit, ValueFact::Unlike { action: "equate", one: found[0], two: found[1] }, range, None);
+                return self.refuse(range, with_time_too_much(fact, [lhs, rhs], found));
             };
             self.note_beside([(lhs, *one), (rhs, *two)]);
             return Some(vec![Scalar { expr: self.arena.sub(one.expr, two.expr), measure }]);

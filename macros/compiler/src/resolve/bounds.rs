@@ -1,11 +1,11 @@
 //! Declared ranges of parameters and of time.
 
 use super::elaborate::Elaborator;
-use super::register::Register;
 use super::{Bounds, Parameter, Times};
 use crate::diag::ValueFact;
 use crate::expr::Expr;
 use crate::hints::in_words;
+use crate::names::Register;
 use crate::names::Scope;
 use crate::quantity::Dim;
 use crate::syntax::ast::{self, Limits};

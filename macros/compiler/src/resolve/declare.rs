@@ -1,22 +1,12 @@
 //! Declares the names of items: namespaces, indices, and conflicts between names.
 
 use super::elaborate::Elaborator;
-use crate::diag::{ArrayFact, Fact, NameFact, Range};
-use crate::names::{Context, Declared, Entity, EntityId, Key, Progress, Scope, Sort, Value, is_reserved};
+use crate::diag::{ArrayFact, NameFact, Range};
+use crate::names::{Context, Declared, Entity, EntityId, Key, Progress, Scope, Sort, Value, Written, duplicate, is_reserved};
 use crate::syntax::ast;
-use proc_macro2::Ident;
 
 /// Largest number of items, with loops unrolled and parts expanded, plus the number of loop iterations.
 const MOST: usize = 100_000;
-
-/// A declared name, as written.
-#[derive(Clone, Copy)]
-pub(super) struct Written<'a> {
-    /// Key of the declaration.
-    pub(super) key: Key,
-    pub(super) name: &'a Ident,
-    pub(super) indices: &'a [ast::Expression],
-}
 
 impl Elaborator<'_> {
     /// Declares an item in the namespace of its context.
@@ -81,13 +71,5 @@ impl Elaborator<'_> {
             (false, true) => Some(format!("in `{owner}`")),
             (false, false) => Some(format!("in `{owner}`, where {}", bound.join(" and "))),
         }
-    }
-}
-
-/// The error for a name that is taken, possibly by the same item in another loop iteration.
-pub(super) fn duplicate(name: String, first: &'static str, in_loop: Option<&(String, Value)>) -> Fact {
-    match in_loop {
-        Some((variable, _)) => ArrayFact::DuplicateInLoop { name, variable: variable.clone() }.into(),
-        None => NameFact::Duplicate { name, first }.into(),
     }
 }

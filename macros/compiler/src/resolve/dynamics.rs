@@ -6,10 +6,10 @@
 //! ```
 
 use super::elaborate::Elaborator;
-use super::register::Register;
 use super::{DeclaredForce, Energy, Force};
 use crate::diag::{EquationFact, MotionFact, ValueFact};
 use crate::expr::{Expr, Leaf};
+use crate::names::Register;
 use crate::names::{FrameId, Scope, Value};
 use crate::quantity::{Ambient, Dim};
 use crate::syntax::ast;

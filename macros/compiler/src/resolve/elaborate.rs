@@ -1,14 +1,15 @@
 //! Evaluates expressions of the syntax tree to values in the arena, and checks their dimensions.
 
-use super::space::Notes;
-use super::statement::FixedValue;
 use super::{Components, Energy, Force, Function as Numbered, Mass, Name, Requirement};
 use crate::diag::{
     ArrayFact, Diag, EquationFact, Fact, GrammarFact, Kind, Known, NameFact, Range, ValueFact, Wanted, nearest, nearest_unit,
 };
 use crate::expr::{Arena, Exact, Expr, Leaf};
-use crate::hints::BareNumbers;
-use crate::names::{Fixed, FrameId, GroupId, Instance, Key, Names, Scalar, Scope, Sort, SpaceId, Timeless, Value, Vector};
+use crate::hints::{BareNumbers, noted};
+use crate::names::{
+    Fixed, FixedValue, FrameId, GroupId, HEIGHT, Instance, Key, Names, Notes, Scalar, Scope, Sort, SpaceId, Timeless, Value, Vector,
+    misread_height, unknown_field,
+};
 use crate::quantity::{self, Ambient, Dim, InferredDim, Role};
 use crate::syntax::ast::{self, ExpressionKind};
 use proc_macro2::Ident;
@@ -192,7 +193,7 @@ impl Elaborator<'_> {
         if !scalar.measure.fits(wanted) {
             let found = scalar.measure.settled();
             let written = (found == Dim::NUMBER).then_some((expr, wanted));
-            let fact = self.noted(ValueFact::WrongDimension { wanted, found }, expr.range, written);
+            let fact = noted(&self.declared_unit, ValueFact::WrongDimension { wanted, found }, expr.range, written);
             return self.refuse(expr.range, fact);
         }
         Some(Scalar { measure: InferredDim::Known(wanted), ..scalar })
@@ -327,6 +328,10 @@ impl Elaborator<'_> {
         }
         if scope.space.is_some_and(|space| self.names.outputs.contains(&(space, name.to_string()))) {
             return self.refuse(path.range, NameFact::OutputRead { name: name.to_string() });
+        }
+        let is_in_body = matches!(scope.timeless, Some(Timeless::Place("the mass of a body" | "a point or an axis")));
+        if is_in_body && let Some(point) = self.names.mark_called(name) {
+            return self.refuse(path.range, NameFact::PointInBody { name: point });
         }
         let near = self.similar(name, scope);
         if near.is_none() && quantity::unit(&name.to_string()).is_some() {
@@ -473,30 +478,4 @@ impl Elaborator<'_> {
     pub(super) fn is_still(&self, expr: Expr) -> bool {
         !self.arena.leaves(expr).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(_)))
     }
-}
-
-/// The coordinate that space has and the plane has not.
-const HEIGHT: &str = "z";
-
-/// What is wrong with an axis called `z` in the plane where a number is wanted.
-pub(super) fn misread_height(ambient: Ambient, written: &ast::Expression, value: &Value) -> Option<NameFact> {
-    match (&written.kind, value) {
-        (ast::ExpressionKind::Field(owner, name), Value::Axis(_)) if ambient == Ambient::Plane && name == HEIGHT => {
-            Some(NameFact::NoHeight { owner: format!("`{owner}`"), is_axis: true })
-        }
-        _ => None,
-    }
-}
-
-fn unknown_field(value: &Value, name: String, ambient: Ambient) -> NameFact {
-    if name == HEIGHT && ambient == Ambient::Plane && matches!(value, Value::Point(_) | Value::Axis(_) | Value::Vector(_)) {
-        return NameFact::NoHeight { owner: value.kind().to_string(), is_axis: false };
-    }
-    let axes = ambient.positions().map(Role::name);
-    let known: Vec<&str> = match value {
-        Value::Point(_) | Value::Axis(_) => axes.chain(["body"]).collect(),
-        Value::Vector(_) => axes.collect(),
-        _ => Vec::new(),
-    };
-    NameFact::UnknownField { owner: value.kind().to_string(), name, near: None, known: Known::of(known.into_iter()) }
 }

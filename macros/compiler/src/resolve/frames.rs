@@ -1,14 +1,14 @@
 //! Bodies and ground: coordinates, points and axes fixed in them, start values; start values of joints.
 
 use super::elaborate::Elaborator;
-use super::register::Register;
-use super::statement::FixedValue;
 use super::{Body, BodyCoordinate, Name, Requirement};
 use crate::diag::nearest;
 use crate::diag::{NameFact, Range, ValueFact};
 use crate::expr::{Expr, Leaf};
 use crate::geometry::{Components, JointQuantity, quaternion};
 use crate::model::{DECLARED, JointStart};
+use crate::names::FixedValue;
+use crate::names::Register;
 use crate::names::{Context, EntityId, Fixed, FrameId, FrameScope, Key, Scope, Value};
 use crate::quantity::{Ambient, Dim, InferredDim, Role};
 use crate::syntax::ast;
@@ -128,6 +128,12 @@ impl Elaborator<'_> {
             let place = |role: Role| ambient.coordinates().iter().position(|other| *other == role);
             let found: Option<Vec<(usize, Expr)>> = match ambient.coordinate(&word) {
                 Some(role) => self.scalar_of(&start.value, role.dim(), &scope).and_then(|value| Some(vec![(place(role)?, value.expr)])),
+                None if word == "position"
+                    && ambient == Ambient::Plane
+                    && matches!(&start.value.kind, ast::ExpressionKind::Tuple(items) if items.len() == 3) =>
+                {
+                    self.refuse(start.value.range, ValueFact::PoseAsPosition { written: start.value.to_string() })
+                }
                 None if word == "position" => {
                     self.location(&start.value, &scope).map(|vector| (0..).zip(vector.parts.iter().copied()).collect())
                 }

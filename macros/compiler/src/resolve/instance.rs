@@ -3,8 +3,9 @@
 use super::Name;
 use super::elaborate::Elaborator;
 use super::statement::ScalarEquation;
-use crate::diag::{ArityFact, ArrayFact, EquationFact, Kind, MeantFor, MotionFact, Range, ValueFact};
+use crate::diag::{ArityFact, ArrayFact, EquationFact, Fact, Kind, MeantFor, MotionFact, Note, Range, ValueFact};
 use crate::expr::Leaf;
+use crate::hints::{noted, without_time};
 use crate::library;
 use crate::names::{
     Context, EntityId, Fixed, FrameId, FunctionValue, Instance, Scalar, Scope, Timeless, Value, is_between, nearest_kind, places, too_few,
@@ -229,6 +230,12 @@ impl Elaborator<'_> {
         let value = match (&formal.kind, &argument.kind) {
             // If a point is written out, each coordinate is checked.
             (FormalKind::Point, ast::ExpressionKind::Tuple(items)) if items.len() == 2 => Value::Vector(self.location(argument, scope)?),
+            (FormalKind::Function(..), ast::ExpressionKind::Call(path, _)) if self.names_function(path, scope) => {
+                let (wanted, instead) = (wanted(&formal.kind), Some(path.last.to_string()));
+                let (parameter, definition, ambient) = (formal.name.to_string(), definition.name.to_string(), self.names.ambient);
+                let fact = ValueFact::WrongArgument { parameter, definition, wanted, found: Kind::Number, ambient, instead };
+                return self.refuse(argument.range, fact);
+            }
             _ => self.value(argument, scope)?,
         };
         let value = self.measured(formal, value)?;
@@ -259,25 +266,7 @@ impl Elaborator<'_> {
                 Some(Value::Axis(Fixed { frame: FrameId::GROUND, local: vector.parts, measure, zero: None }))
             }
             (FormalKind::Quantity, value @ Value::Scalar(_)) => Some(value),
-            (FormalKind::Scalar(written), Value::Scalar(scalar)) => {
-                let wanted = self.dimension(written)?;
-                self.note_bare(argument, wanted);
-                // A length by angle counts as a length, but the lead of a screw is not the way of one radian.
-                let is_by_angle = formal.name == "lead" && scalar.measure == InferredDim::Known(wanted.per(Dim::ANGLE));
-                if is_by_angle || !scalar.measure.fits(wanted) {
-                    self.is_by_rates([argument, argument])?;
-                    let found = scalar.measure.settled();
-                    let fact = ValueFact::WrongArgumentDimension {
-                        parameter: formal.name.to_string(),
-                        definition: definition.name.to_string(),
-                        wanted,
-                        found,
-                    };
-                    let fact = self.noted(fact, argument.range, (found == Dim::NUMBER).then_some((argument, wanted)));
-                    return self.refuse(argument.range, fact);
-                }
-                Some(Value::Scalar(Scalar { measure: InferredDim::Known(wanted), ..scalar }))
-            }
+            (FormalKind::Scalar(written), Value::Scalar(scalar)) => self.quantity_argument(definition, formal, written, (argument, scalar)),
             (FormalKind::Function(from, to), Value::Function(function)) => {
                 let (from, to) = (self.dimension(from)?, self.dimension(to)?);
                 self.function_argument(argument.range, function, from, to).map(Value::Function)
@@ -290,6 +279,38 @@ impl Elaborator<'_> {
             }
             _ => wrong(self),
         }
+    }
+
+    /// Checks the dimension of an argument.
+    fn quantity_argument(
+        &mut self,
+        definition: &Definition,
+        formal: &Formal,
+        written: &ast::Dimension,
+        (argument, scalar): (&ast::Expression, Scalar),
+    ) -> Option<Value> {
+        let wanted = self.dimension(written)?;
+        self.note_bare(argument, wanted);
+        // A length by angle counts as a length, but the lead of a screw is not the way of one radian.
+        let is_by_angle = formal.name == "lead" && scalar.measure == InferredDim::Known(wanted.per(Dim::ANGLE));
+        if is_by_angle || !scalar.measure.fits(wanted) {
+            self.is_by_rates([argument, argument])?;
+            let found = scalar.measure.settled();
+            let fact = ValueFact::WrongArgumentDimension {
+                parameter: formal.name.to_string(),
+                definition: definition.name.to_string(),
+                wanted,
+                found,
+            };
+            // `10rad_s2 * t` for a speed that grows.
+            if let Some(number) = without_time(argument).filter(|_| found.times(Dim::TIME) == wanted) {
+                let (written, fact) = (format!("0.5 * {number} * t^2"), Box::new(Fact::from(fact)));
+                return self.refuse(argument.range, Fact::Noted { fact, note: Note::Instead { written } });
+            }
+            let fact = noted(&self.declared_unit, fact, argument.range, (found == Dim::NUMBER).then_some((argument, wanted)));
+            return self.refuse(argument.range, fact);
+        }
+        Some(Value::Scalar(Scalar { measure: InferredDim::Known(wanted), ..scalar }))
     }
 
     /// A joint stands for its angle where an angle is wanted, and for its displacement where a length is.
@@ -358,10 +379,6 @@ impl Elaborator<'_> {
                     _ => None,
                 }
             }
-            (FormalKind::Function(..), Value::Scalar(_), ast::ExpressionKind::Call(path, _)) if path.name.is_some() => {
-                let name = path.last.to_string();
-                self.names.visible(scope.space?, &name).map(|_| name)
-            }
             (FormalKind::Axis, Value::Body(frame) | Value::Point(Fixed { frame, .. }), _) => {
                 let any = if self.names.ambient == Ambient::Space { "(1, 0, 0)" } else { "(1, 0)" };
                 let axis = self.names.an_axis_of(*frame).map(|axis| format!("{}.{axis}", self.names.frames[frame.0].name));
@@ -369,6 +386,11 @@ impl Elaborator<'_> {
             }
             _ => None,
         }
+    }
+
+    /// True for a declared function, which is passed without its argument.
+    fn names_function(&self, path: &ast::Path, scope: &Scope) -> bool {
+        path.name.is_some() && scope.space.is_some_and(|space| self.names.visible(space, &path.last.to_string()).is_some())
     }
 
     fn function_argument(&mut self, range: Range, function: FunctionValue, from: Dim, to: Dim) -> Option<FunctionValue> {

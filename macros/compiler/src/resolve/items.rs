@@ -1,12 +1,12 @@
 //! Items that no other item refers to by name; each is resolved once, in the order written.
 
 use super::elaborate::Elaborator;
-use super::register::Register;
 use super::statement::ScalarEquation;
 use super::{Freedom, Joint, Layout, Method, Name, Of, Output, Residual};
 use crate::diag::{ArrayFact, EquationFact, JerkObstacle, Kind, MotionFact, NameFact, Range, ValueFact};
 use crate::expr::{Expr, Leaf};
 use crate::hints::is_generated;
+use crate::names::Register;
 use crate::names::{Context, EntityId, FrameId, Scalar, Scope, Value};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, JointItem, Mechanism};

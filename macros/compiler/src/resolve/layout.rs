@@ -1,10 +1,10 @@
 //! Gathers the composition of the mechanism and its components.
 
 use super::elaborate::Elaborator;
-use super::register::{OpenPart, Register};
 use super::{Component, Field, Layout, Name, Of, Part};
 use crate::diag::ArrayFact;
 use crate::names::{EntityId, Key, Sort};
+use crate::names::{OpenPart, Register};
 use crate::syntax::ast::{self, Docs};
 use proc_macro2::Ident;
 use std::collections::BTreeMap;

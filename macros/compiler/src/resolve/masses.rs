@@ -52,6 +52,14 @@ impl Elaborator<'_> {
             let range = frame.masses.iter().find(|written| written.what == word).map(|written| written.value.range);
             self.refuse::<()>(range.unwrap_or(Range::from(&frame.name)), fact);
         }
+        let range = frame.masses.iter().find(|written| written.what == "inertia").map(|written| written.value.range);
+        if let (Some(mass), Some(inertia), Some(range)) = (found.mass, &found.inertia, range) {
+            let values = self.numbers(&self.defaults, &[&[mass][..], inertia].concat());
+            let greatest = values[1..].iter().take(3).copied().fold(0.0, f64::max);
+            if values[0] > 0.0 && greatest.is_finite() {
+                self.bare.note_gyration(&frame.name.to_string(), (greatest / values[0]).sqrt(), range);
+            }
+        }
         let is_there = found.mass.is_some() || found.inertia.is_some();
         if is_there { vec![found] } else { Vec::new() }
     }

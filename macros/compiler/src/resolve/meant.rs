@@ -3,11 +3,11 @@
 
 use super::Joint;
 use super::elaborate::Elaborator;
-use super::register::Register;
 use super::statement::ScalarEquation;
-use crate::diag::{EquationFact, Fact, JerkObstacle, JointValue, MotionFact, Note, Range, ValueFact, Word};
-use crate::hints::{by_time, cross_product, is_zero, unit_in_parts, with_unit};
+use crate::diag::{EquationFact, JerkObstacle, JointValue, MotionFact, ValueFact, Word};
+use crate::hints::{by_time, cross_product, is_zero, unit_in_parts};
 use crate::library;
+use crate::names::Register;
 use crate::names::{Declared, FrameId, Progress, Scope, Value};
 use crate::quantity::{self, Ambient, Dim};
 use crate::syntax::ast::{self, Definition, ExpressionKind, Formal, FormalKind, JointItem, Statement, Task};
@@ -150,23 +150,6 @@ impl Elaborator<'_> {
                 self.declared_unit = Some((written.range, declared.to_string(), text));
                 None
             }
-        }
-    }
-
-    /// Adds to an error about a dimension what was probably meant in `written`, where a quantity of dimension `wanted` was expected.
-    pub(super) fn noted(&self, fact: ValueFact, range: Range, written: Option<(&ast::Expression, Dim)>) -> Fact {
-        let place = |range: Range| (range.first.start(), range.last.end());
-        let ((start, end), fact) = (place(range), Fact::from(fact));
-        if let Some((within, name, instead)) = &self.declared_unit
-            && start <= place(*within).0
-            && place(*within).1 <= end
-        {
-            let note = Note::DeclaredUnit { name: name.clone(), instead: instead.clone() };
-            return Fact::Noted { fact: Box::new(fact), note };
-        }
-        match written.and_then(|(written, wanted)| with_unit(written, wanted)) {
-            Some([number, instead]) => Fact::Noted { fact: Box::new(fact), note: Note::BareFactor { number, instead } },
-            None => fact,
         }
     }
 

@@ -17,8 +17,10 @@ impl Elaborator<'_> {
         if given.iter().any(|argument| argument.name.is_some()) || !refused.iter().all(|refusal| refusal.fact.is_about_an_argument()) {
             return None;
         }
-        // All of them have a value: otherwise something else was refused.
+        // What else is wrong with an argument that was refused is not said.
+        let known = self.diag.refusals().len();
         let values: Option<Vec<Value>> = given.iter().map(|argument| self.value(&argument.value, scope)).collect();
+        self.diag.withdraw(known);
         let mut open: Vec<(&Argument, Value)> = given.iter().zip(values?).collect();
         // What is written out is of ground.
         let frame = |value: &Value| value.frame().unwrap_or(FrameId::GROUND);

@@ -3,70 +3,23 @@
 //! Bodies, parameters, joints and outputs are numbered in the order of expansion, those of one part consecutively. Only whole numbers
 //! are evaluated here.
 
-use super::declare::Written;
-use super::declare::duplicate;
+use super::Name;
+use super::Of;
 use super::elaborate::Elaborator;
-use super::{Name, Of};
 use crate::diag::{ArrayFact, EquationFact, GrammarFact, NameFact};
 use crate::expr::Leaf;
 use crate::hints;
 use crate::names::{
-    Context, Declared, Entity, EntityId, FrameId, Key, PartArguments, Progress, Scalar, Scope, Sort, SpaceId, Value, is_reserved,
+    Context, Declared, Entity, FrameId, INPUT_PARTS, Key, OpenPart, PartArguments, Progress, Register, Scalar, Scope, Sort, SpaceId, Value,
+    Written, duplicate, is_one_of_many, is_reserved,
 };
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Item, Marks};
 use proc_macro2::Ident;
-use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
-
-/// Fields of an input in the generated struct.
-pub(super) const INPUT_PARTS: [&str; 3] = ["value", "rate", "acceleration"];
 
 /// Deepest nesting of parts.
 const DEEPEST: usize = 20;
-
-/// The mechanism or a part while its items are registered.
-#[derive(Default)]
-pub(super) struct OpenPart {
-    pub(super) component: Option<ast::Shared<ast::ComponentItem>>,
-    /// Number of its first body.
-    pub(super) first: usize,
-    /// Items that appear in the generated types, each with its number among items of its kind.
-    pub(super) items: Vec<(Of, EntityId, usize)>,
-    /// Declaration of the part.
-    pub(super) id: Option<EntityId>,
-}
-
-/// Declared items, in the order of expansion.
-#[derive(Default)]
-pub(super) struct Register {
-    /// Parameters, and value, rate and acceleration of each input.
-    pub(super) parameters: Vec<(EntityId, ast::Shared<ast::ParameterItem>)>,
-    /// Inputs, each with the number of its value among the parameters.
-    pub(super) inputs: Vec<(EntityId, usize)>,
-    /// `let`s and arguments of parts, used or not, so that errors in all of them are found.
-    pub(super) lets: Vec<EntityId>,
-    pub(super) functions: Vec<ast::Shared<ast::FunctionItem>>,
-    pub(super) bodies: Vec<(EntityId, ast::Shared<ast::FrameItem>)>,
-    pub(super) marks: Vec<EntityId>,
-    /// Freedoms come last: their equations hold at the start only.
-    pub(super) joints: Vec<(EntityId, ast::Shared<ast::JointItem>)>,
-    pub(super) forces: Vec<(EntityId, ast::Shared<ast::JointItem>)>,
-    pub(super) gravity: Option<ast::Shared<ast::Gravity>>,
-    pub(super) starts: Vec<(ast::Shared<ast::StartItem>, Context)>,
-    pub(super) outputs: Vec<(EntityId, ast::Shared<ast::OutputItem>)>,
-    output_names: BTreeMap<(SpaceId, String), BTreeSet<Vec<usize>>>,
-    /// The parts as written, without an entry for the mechanism.
-    pub(super) parts: Vec<ast::Shared<ast::PartItem>>,
-    /// The mechanism and its parts.
-    pub(super) places: Vec<OpenPart>,
-    /// Components being expanded, to detect recursion.
-    pub(super) open: Vec<String>,
-    /// Number of enclosing loops.
-    loops: usize,
-    pub(super) range: Option<ast::Shared<ast::TimeRange>>,
-    has_ground: bool,
-}
 
 impl Elaborator<'_> {
     /// Registers all items of a mechanism.
@@ -421,9 +374,4 @@ impl Elaborator<'_> {
             }
         }
     }
-}
-
-/// True in a loop or in a component, where a declaration may be expanded several times.
-pub(super) fn is_one_of_many(context: &Context) -> bool {
-    context.space != SpaceId::MECHANISM || !context.bound.is_empty()
 }

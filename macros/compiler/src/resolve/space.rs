@@ -8,33 +8,16 @@
 
 use super::{elaborate::Elaborator, statement::ScalarEquation};
 use crate::diag::{ArityFact, Range, ValueFact, Wanted};
-use crate::expr::{Expr, Frame, Leaf, Lookup, Mark, Node, Triple, cross, dot};
+use crate::expr::{Expr, Frame, Leaf, Mark, Node, Triple, cross, dot};
 use crate::geometry::{
-    Components, Geometry, JointQuantity, Place, Relationship, Rotation, Triad, Turn, angle_near, difference, longest, natural, rotated,
-    rotation,
+    Components, JointQuantity, Place, Relationship, Rotation, Triad, Turn, angle_near, difference, longest, natural, rotated, rotation,
 };
 use crate::hints::decimal_comma;
-use crate::model::{DECLARED, JointStart, Name, declared_angular};
+use crate::model::{DECLARED, declared_angular};
 use crate::names::{Arguments, Fixed, FrameId, Scalar, Scope, Value, Vector};
 use crate::quantity::{Dim, InferredDim, Role};
 use crate::syntax::ast::{self, Statement};
 use proc_macro2::Ident;
-
-/// Properties of expressions while a mechanism is resolved.
-#[derive(Default)]
-pub(super) struct Notes {
-    pub(super) geometry: Geometry,
-    /// Item that is resolved, and for each quantity the item that names it first.
-    pub(super) item: Option<Name>,
-    pub(super) quantity_items: Vec<Option<Name>>,
-    /// Declared starts of angles and displacements of joints.
-    pub(super) starts: Vec<JointStart>,
-    /// Relations that hold where these expressions vanish.
-    origins: Lookup<Vec<Expr>, Relationship>,
-    /// Points whose difference has these components: the second minus the first.
-    differences: Lookup<[Expr; 3], (Place, Place)>,
-    triads: Lookup<(Place, Option<Triple>), Triad>,
-}
 
 impl Elaborator<'_> {
     /// Declares the frame of a body with the quaternion that rotates it and with speeds of its own.

@@ -5,7 +5,7 @@ use super::{Name, Parameter, Requirement, tabulated};
 use crate::diag::{EquationFact, Fact, Range, ValueFact};
 use crate::expr::{Expr, Node, Unary, Values, evaluate};
 use crate::hints::{argument_of, place_of_argument};
-use crate::names::{FrameId, Instance, Key, Scalar, Scope, Value};
+use crate::names::{FixedValue, FrameId, Instance, Scalar, Scope, Value};
 use crate::syntax::ast::{self, ExpressionKind, Relation, Statement};
 use std::collections::BTreeSet;
 
@@ -18,18 +18,6 @@ pub(super) struct ScalarEquation {
 
 /// An angle counts as a right angle if its |cos| is below this fraction of it, the error of its last digit.
 const RIGHT: f64 = 2.0 * f64::EPSILON;
-
-/// A value that depends on parameters alone and must be finite.
-pub(super) struct FixedValue {
-    pub(super) expr: Expr,
-    /// Expression in the tree, reported once for all its instances.
-    pub(super) item: Key,
-    pub(super) range: Range,
-    /// Noun for messages.
-    pub(super) noun: &'static str,
-    /// Description of the instance, if the declaration is expanded several times.
-    pub(super) place: Option<String>,
-}
 
 impl Elaborator<'_> {
     /// The residuals of a list of statements.

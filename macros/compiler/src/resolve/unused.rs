@@ -3,10 +3,10 @@
 //! Each outermost one of them is expanded once, together with the components it uses, with unknown arguments; the result is discarded.
 //! A component with arguments that may be whole numbers is not checked: they may determine the number of items.
 
-use super::declare::Written;
 use super::elaborate::Elaborator;
-use super::register::{OpenPart, Register};
+use crate::names::Written;
 use crate::names::{Context, Entity, Key, Progress, Sort};
+use crate::names::{OpenPart, Register};
 use crate::syntax::ast;
 use std::collections::BTreeSet;
 use std::rc::Rc;

@@ -1,12 +1,13 @@
 //! Resolves the items of a mechanism: registered by name first, then resolved once each, on first use.
 
 use super::elaborate::Elaborator;
-use super::register::{INPUT_PARTS, Register, is_one_of_many};
 use super::{Layout, Method, Model, Name, Parameter};
 use crate::diag::nearest;
 use crate::diag::{Diag, NameFact, Range, ValueFact};
-use crate::hints::{self, in_words};
+use crate::hints::{self, in_words, with_bare_bounds};
+use crate::names::Register;
 use crate::names::{Context, Declared, Entity, EntityId, FunctionValue, Key, Names, PartArguments, Progress, Scalar, Scope, Value};
+use crate::names::{INPUT_PARTS, is_one_of_many};
 use crate::quantity::{self, Dim, InferredDim};
 use crate::syntax::ast::{self, Definition};
 use std::collections::{BTreeMap, BTreeSet};
@@ -188,7 +189,9 @@ impl Elaborator<'_> {
         let value = self.numbers(&[], &[default])[0];
         let written = in_words(&parameter.default, value, dim);
         if let Some(bounds) = bounds.as_ref().filter(|bounds| !bounds.hold(value)) {
-            return self.refuse(parameter.default.range, ValueFact::DefaultOutOfBounds { value: written, bounds: bounds.text.clone() });
+            let fact = ValueFact::DefaultOutOfBounds { value: written, bounds: bounds.text.clone() };
+            let fact = with_bare_bounds(fact, &parameter.default, parameter.limits.as_ref());
+            return self.refuse(parameter.default.range, fact);
         }
         Some(Parameter { name: name.clone(), dim, default, written, bounds })
     }

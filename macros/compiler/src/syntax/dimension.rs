@@ -34,7 +34,7 @@ pub(super) fn dimension(input: ParseStream) -> Parsed<Dimension> {
     let mut range = Range::from(input.span());
     if input.peek(token::Bracket) {
         let (content, range) = brackets(input)?;
-        let written = format!("[{}]", content.cursor().token_stream());
+        let written = format!("[{}]", content.cursor().token_stream()).replace(" ;", ";");
         return wrong(range, GrammarFact::ArrayOfDimension { written });
     }
     loop {

@@ -220,6 +220,11 @@ fn number(input: ParseStream) -> Parsed<Expression> {
         let (number, next) = (literal.to_token_stream().to_string(), input.parse::<Ident>()?);
         return wrong(range.to(&next), GrammarFact::SpaceBeforeUnit { number, suffix: unit, unit: next.to_string() });
     }
+    if input.peek(token::Paren) {
+        let (number, bounds) = (literal.to_token_stream().to_string(), input.cursor().group(Delimiter::Parenthesis));
+        let is_range = bounds.is_some_and(|(inside, ..)| inside.token_stream().to_string().contains(".."));
+        return wrong(range.to(input.span()), GrammarFact::NumberBeforeParentheses { number, is_range });
+    }
     node(ExpressionKind::Number { digits, unit }, range)
 }
 

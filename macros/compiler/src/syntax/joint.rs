@@ -80,7 +80,13 @@ pub(super) fn freedom(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
     let (from, at) = (clause("from")?, clause("at")?);
     if let (None, Some(at), Some(late)) = (&from, &at, clause("from")?) {
         let (range, value) = (at.range.to(late.range), value.to_string());
-        return wrong(range, MotionFact::RateBeforeStart { value, from: late.to_string(), at: at.to_string() });
+        let is_rate = |number: &Expression| match &number.kind {
+            super::ast::ExpressionKind::Number { unit, .. } => unit.contains("_s") || unit == "rpm",
+            _ => false,
+        };
+        // Either the order is wrong or the words are.
+        let (from, at) = if is_rate(&late) && !is_rate(at) { (at, &late) } else { (&late, at) };
+        return wrong(range, MotionFact::RateBeforeStart { value, from: from.to_string(), at: at.to_string() });
     }
     if !input.peek(Token![;]) && keyword(input).is_some() {
         return expected(input, "`from` and the value at t = 0, `at` and the rate at t = 0, or `;`");

@@ -137,6 +137,13 @@ pub(super) fn semicolon(input: ParseStream) -> Parsed<()> {
         return wrong(input.span(), if decimals { GrammarFact::DecimalComma } else { GrammarFact::CommaAtEnd });
     }
     no_comparison(input)?;
+    if input.peek(Token![in]) {
+        let ahead = input.fork();
+        ahead.parse::<Token![in]>()?;
+        if let Some(unit) = keyword(&ahead).filter(|word| crate::quantity::unit(&word.to_string()).is_some()) {
+            return wrong(input.span(), GrammarFact::OutputInUnit { unit: unit.to_string() });
+        }
+    }
     if !input.peek(Token![;]) {
         let what = if input.cursor().punct().is_some() { "an operator or `;`" } else { "`;`" };
         return expected(input, what);

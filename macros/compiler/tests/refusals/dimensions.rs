@@ -1,6 +1,14 @@
 //! Quantities that do not fit their place.
 
 crate::refusals! {
+    item an_acceleration_by_the_time: "drive a = drive_angle(ram, «10rad_s2 * t»);" => "`C` of `drive_angle` is an angle (rad), found an angular velocity (rad/s)\nhelp: write `0.5 * 10rad_s2 * t^2`";
+    item a_rate_equated_with_an_angle: "drive a = { «rate(ram.angle) == 60rpm * t»; }" => "cannot equate an angular velocity (rad/s) with an angle (rad)\nhelp: take the factor `t` away: `60rpm`";
+    item a_force_for_a_length: "param r: Length = «300N»;" => "expected a length (m), found a force (N)";
+    item a_weight_for_a_mass: "body c { mass = «20N»; }" => "expected a mass (kg), found a force (N)\nhelp: a mass is in kg, such as `2kg`; its weight follows from `gravity`";
+    item a_table_of_two_lists: "drive a = drive_angle(ram, table(t, «[0s, 1s]», [0deg, 90deg]));" => "expected a list of pairs, such as `[(0deg, 0mm), (90deg, 5mm)]`";
+    item a_table_of_loose_pairs: "drive a = drive_angle(ram, table(t, «(0s, 0deg)», (1s, 90deg)));" => "expected a list of pairs, such as `[(0deg, 0mm), (90deg, 5mm)]`";
+    item three_components_with_an_angle: "body c { start position = «(10mm, 0mm, 30deg)»; }" => "a position in the plane has 2 components, found 3\nhelp: write `start position = (10mm, 0mm); start angle = 30deg;`";
+    mechanism a_force_of_a_spring_that_is_computed: "mechanism M { ground { point top = (0m, 1m); } body b { mass = 1kg; inertia = 1kgm2; } joint o = revolute(ground.position, b.position); function coil(l: Length) -> Force = l * 1N_m; force s = nonlinear_spring(ground.top, b.position, «coil(l)»); freedom q = b.angle; }" => "`law` of `nonlinear_spring` takes a function of one variable, found a number\nhelp: write `coil`";
     item a_factor_without_its_unit: "drive a = drive_x(ram.B, «50 * sin(1rad_s * t)»);" => "`C` of `drive_x` is a length (m), found a pure number\nhelp: `50` has no unit: write `50mm`";
     item a_declared_name_in_the_place_of_a_unit: "param s: Length = 5mm; drive a = drive_angle(ram, «10rad / s * t»);" => "`C` of `drive_angle` is an angle (rad), found a quantity in rad·s/m\nnote: `s` is declared in this mechanism, and so is no unit here\nhelp: a unit is one word: write `10rad_s`";
     item a_declared_name_in_the_place_of_a_unit_of_torque: "param m: Mass = 5kg; force f = { on crank: «5N * m»; };" => "expected a torque (N m), found a quantity in m·kg²/s²\nnote: `m` is declared in this mechanism, and so is no unit here\nhelp: a unit is one word: write `5Nm`";
@@ -50,7 +58,7 @@ crate::refusals! {
     item exponent_with_a_dimension: "output b = 2^«length»;" => "expected a pure number, found a length (m)";
     item table_of_unlike: "output b = table(crank.angle, [(0deg, 0mm), («90mm», 5mm)]);" => "expected an angle (rad), found a length (m)";
     item column_of_unlike: "output b = table(crank.angle, [(0deg, 0mm), (90deg, «5deg»)]);" => "expected a length (m), found an angle (rad)";
-    item gear_of_radius_and_teeth: "joint a = «gear_pair»(crank, ram, 20mm, 10deg);" => "in `gear_pair`: cannot add a quantity in rad² to a quantity in m·rad\nnote: here `a` is a length (m), `b` is an angle (rad), `c` is a pure number";
+    item gear_of_radius_and_teeth: "joint a = «gear_pair»(crank, ram, 20mm, 10deg);" => "in `gear_pair`: cannot add a quantity in rad² to a quantity in m·rad\nnote: here `a` is a length (m), `b` is an angle (rad), `c` is a pure number\nhelp: give `a` and `b` alike: two numbers of teeth, or two radii";
     item body_for_a_point: "joint a = revolute(ground.O, «crank»);" => "`Q` of `revolute` takes a point, found a body\nhelp: write `crank.A`, or `crank.position` for its origin";
     item point_for_a_body: "drive a = drive_angle(«crank.A», speed * t);" => "`b` of `drive_angle` takes a body, found a point\nhelp: write `crank`";
     item number_for_a_point: "joint a = revolute(ground.O, «5mm»);" => "`Q` of `revolute` takes a point, found a number\nhelp: write `(x, y)` for a place in ground, `body.P` for a point of a body";
@@ -60,7 +68,7 @@ crate::refusals! {
     item sum_of_a_velocity_and_a_position: "output b = «rate(crank.A.x) + crank.A.x»;" => "cannot add a length (m) to a velocity (m/s)\nhelp: multiply the rate by `t`";
     item velocity_as_a_position: "output b = sin(«crank.angular_velocity»);" => "expected an angle (rad), found an angular velocity (rad/s)";
     item ratio_of_unlike_velocities: "let ratio: Number = «rate(crank.A.x) / crank.angular_velocity»; output b = ratio;" => "expected a pure number, found a quantity in m/rad";
-    item rate_of_a_body: "output b = rate(«crank»);" => "expected a number, a vector or a point, found a body";
+    item rate_of_a_body: "output b = rate(«crank»);" => "expected a number, a vector or a point, found a body\nhelp: write `rate(body.position)` for the velocity of its origin, or `body.angular_velocity`";
     item output_of_an_acceleration: "output b = rate(«crank.angular_velocity»);" => "the rate of a velocity is an acceleration, and equations, forces and outputs contain none\nhelp: give the body a mass where its inertia is meant; an output has its rate and its acceleration beside it";
     item output_without_a_rate: "output b = «rate(rate(table(t, [(0s, 0mm), (1s, 2mm), (2s, 0mm)])))»;" => "the rate of this output is a third derivative of an input, a table or a Rust function, which have two\nhelp: take one `rate` away: an output is given with its rate";
     mechanism jerk_of_a_body: "mechanism M { body crank { point A = (1m, 0m); } joint o = revolute(ground.position, crank.position); drive d = drive_angle(crank, 1rad_s * t); output b = crank with «jerk»; }" => "numbers, vectors and points have a jerk, and `b` is a body\nhelp: write outputs of its points and of its angle with jerk";

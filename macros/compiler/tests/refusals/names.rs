@@ -1,6 +1,15 @@
 //! Undeclared names.
 
 crate::refusals! {
+    item the_center_of_a_body: "output b = crank.«center»;" => "`crank` has no `center` that expressions can read\nhelp: declare a point at the centre of mass; weight acts by `gravity = (0, -9.81m_s2);`";
+    item a_point_for_a_center: "body c { mass = 1kg; point P = (1m, 0m); center = «P»; }" => "`c.P` moves with its body, and what stands in a body is written in its own coordinates\nhelp: name the coordinates with `let c = (100mm, 0mm);`, and write `c` for both";
+    item an_angular_velocity_at_the_start: "body b { start «angular_velocity» = 3rad_s; }" => "a body does not start with `angular_velocity`: a velocity at the start is that of a freedom\nhelp: write `freedom name = body.angle from 0deg at 5rad_s;`";
+    item a_center_by_a_marker: "body b { mass = 1kg; «cm» = (1m, 0m); }" => "`cm` is no item of a body\nhelp: did you mean `center`?";
+    item micrometres: "let a = «300µm»;" => "no unit is called `µm`\nhelp: `1µm` is `1um`";
+    item foot_pounds: "let a = «5lbft»;" => "no unit is called `lbft`\nhelp: `1lbft` is `1lbf * 1ft`";
+    item a_torque_in_small_letters: "let a = «5nm»;" => "no unit is called `nm`\nhelp: a torque is in `Nm`; a nanometre is `0.001um`";
+    item a_volume: "param a: «Volume» = 1;" => "no dimension is called `Volume`\nhelp: write `Length^3`";
+    item an_energy: "param a: «Energy» = 1;" => "no dimension is called `Energy`\nhelp: did you mean `Torque`?";
     item name_is_mistyped: "output b = «lenght»;" => "nothing is called `lenght` here\nhelp: did you mean `length`?";
     item name_is_unknown: "output b = «wheel»;" => "nothing is called `wheel` here";
     item angle_is_not_declared: "drive b = drive_angle(crank, «theta»);" => "nothing is called `theta` here\nhelp: declare it, such as `param theta: Angle = …;`, or `input theta: Angle;` if it is given at each step";
@@ -59,7 +68,7 @@ crate::refusals! {
     item hertz_is_ambiguous: "param a: AngularVelocity = «2Hz»;" => "no unit is called `Hz`\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`";
     item dimension_is_mistyped: "param a: «Lenght» = 100mm;" => "no dimension is called `Lenght`\nhelp: did you mean `Length`?";
     item dimension_is_unknown: "param a: «Voltage» = 100;" => "no dimension is called `Voltage`\nnote: there are `Number`, `Length`, `Angle`, `Time`, `Mass`, `Area`, `Velocity`, `Acceleration`, `AngularVelocity`, `AngularAcceleration`, `Frequency`, `Force`, `Torque`, `Inertia`, `Stiffness`, `Damping`, `Pressure` and `Power`";
-    item start_is_unknown: "body b { start «speed» = 1; }" => "a body does not start with `speed`\nnote: it starts with `x`, `y`, `position` or `angle`";
+    item start_is_unknown: "body b { start «speed» = 1; }" => "a body does not start with `speed`: a velocity at the start is that of a freedom\nhelp: write `freedom name = body.angle from 0deg at 5rad_s;`";
     item start_is_mistyped: "body b { start «angel» = 1; }" => "a body does not start with `angel`\nhelp: did you mean `angle`?\nnote: it starts with `x`, `y`, `position` or `angle`";
     item named_argument_is_mistyped: "joint a = gear_pair(crank, ram, 1, 2, «carier»: ground);" => "`gear_pair` has no parameter `carier`\nhelp: did you mean `carrier`?\nnote: `gear_pair(i: Body, j: Body, a: Quantity, b: Quantity, c: Quantity = …, carrier: Body = …)`";
     item let_depends_on_itself: "let a = 1 + b; let b = 2 * «a»;" => "`a` depends on itself, by way of `b`";

@@ -1,6 +1,7 @@
 //! Parameters and their bounds, and values written or read in the wrong place.
 
 crate::refusals! {
+    item bounds_without_a_unit: "param r: Length = «100mm» in 50..150;" => "the default, 100 mm, does not lie in 50 m .. 150 m\nhelp: `150` has no unit: write `150mm`";
     item number_type_for_a_dimension: "param a: «f64» = 300mm;" => "no dimension is called `f64`\nhelp: did you mean `Length`?";
     item number_type_for_a_number: "param a: «f64» = 3;" => "no dimension is called `f64`\nhelp: did you mean `Number`?";
     item default_below_its_bounds: "param r: Length = «4mm» in 5mm..=50mm;" => "the default, 4 mm, does not lie in 5 mm ..= 50 mm\nhelp: widen the range, or take a default within";

@@ -1,6 +1,13 @@
 //! Mistakes of grammar.
 
 crate::refusals! {
+    item a_number_before_parentheses: "let a = «2(»1mm + 2mm);" => "an operator is missing between `2` and `(`\nhelp: write `2 * (…)`";
+    item bounds_in_parentheses: "param a: Length = «100mm (»50mm..150mm);" => "the bounds of a parameter stand behind `in`\nhelp: write `100mm in 50mm..=150mm`";
+    item an_output_in_a_unit: "output b = crank.x «in» mm;" => "outputs are in SI: no unit is chosen for them\nhelp: take `in mm` away, and multiply in Rust";
+    item an_absolute_value_in_bars: "output b = «|»crank.x|;" => "expected an expression, found `|`\nhelp: write `abs(x)`, or `norm(v)` of a vector";
+    item a_rate_before_a_start_by_their_words: "freedom b = crank.angle at «30deg from 3rad_s»;" => "the value at t = 0 stands before the rate\nhelp: write `crank.angle from 30deg at 3rad_s`";
+    item a_cotangent: "output b = «cot»(crank.angle);" => "no function is called `cot`\nhelp: write `1 / tan(x)`";
+    item kinetic_energy: "output b = «kinetic_energy»(crank);" => "no function is called `kinetic_energy`: energies are computed for a state, in Rust\nhelp: write `mechanism.energy(&state)` there, with `kinetic` and `potential`";
     item unit_behind_parentheses: "param a: Length = «(100 + 20)mm»;" => "a unit stands behind a number, and `mm` behind parentheses\nhelp: write `(100 + 20) * 1mm`";
     item condition_in_parentheses: "output b = if «(t < 1s)» { 1 } else { 2 };" => "a condition has no parentheses\nhelp: write `if a < b { x } else { y }`";
     item two_conditions_in_parentheses: "output b = if «(t > 0s && t < 1s)» { 1 } else { 2 };" => "a choice has one condition\nhelp: choose twice, as in `if a < b { if c < d { x } else { y } } else { y }`";
@@ -27,7 +34,7 @@ crate::refusals! {
     item centre_of_a_body: "body b { point B = (1m, 0m); «centre» = (0.5m, 0m); }" => "`centre` is no item of a body\nhelp: did you mean `center`?";
     item mass_twice: "body b { point B = (1m, 0m); mass = 1kg; «mass» = 2kg; inertia = rod(1m); }" => "`b` gives `mass` twice\nhelp: take one away";
     item sum_of_terms: "output b = «sum»(crank.x, crank.y);" => "no function is called `sum`\nhelp: write `a + b`; a sum over an array is `let s[0] = x[0]; for i in 1..n { let s[i] = s[i - 1] + x[i]; }`";
-    item degrees_of_an_output: "output b = «deg»(crank.angle);" => "no function is called `deg`: angles have no unit inside a mechanism\nhelp: write `.to_degrees()` in Rust, where outputs are in rad";
+    item degrees_of_an_output: "output b = «deg»(crank.angle);" => "no function is called `deg`: angles have no unit inside a mechanism\nhelp: an angle in degrees is written `60deg`; outputs are in rad, and `.to_degrees()` is written in Rust";
     item angle_of_a_hinge_in_the_plane: "joint j = revolute(ground.O, crank.O); output b = j.«angle»;" => "a `revolute` joint has no `angle` in the plane\nhelp: bodies have one: write a difference, such as `rod.angle - crank.angle`";
     item component_of_a_point_by_index: "output b = crank.O[«0»];" => "a point has no index\nhelp: its components are `.x` and `.y`, in space `.z` too";
     item equal_sign_is_missing: "output b «crank»;" => "expected `=`, found `crank`";

@@ -24,7 +24,7 @@ crate::refusals! {
     item default_is_infinite: "param a: Number = «-ln(0)»;" => "the default is not a finite number";
     item default_is_no_number: "param a: Number = «sqrt(-1)»;" => "the default is not a finite number";
     item default_from_a_parameter: "param a: Length = «2 * length»;" => "the default of a parameter is a constant: numbers, units, `pi` and functions of them\nhelp: a quantity that follows from others is declared with `let`";
-    item default_from_time: "param a: Time = 2 * «t»;" => "the default of a parameter does not change with time: `t` cannot be used in it";
+    item default_from_time: "param a: Time = 2 * «t»;" => "the default of a parameter does not change with time: `t` cannot be used in it\nhelp: write `let name = …;` for a law";
     item number_too_large: "param a: Length = «1e60mm»;" => "`1e60mm` cannot be kept exactly\nnote: in m, rad, s and kg, numbers lie between 1e-16 and 1e36, those of few digits down to 1e-36";
     item number_too_small: "param a: Length = «1e-35mm»;" => "`1e-35mm` cannot be kept exactly\nnote: in m, rad, s and kg, numbers lie between 1e-16 and 1e36, those of few digits down to 1e-36";
     item number_too_small_for_its_digits: "param a: Length = «1.23456789012345678901e-20m»;" => "`1.23456789012345678901e-20m` cannot be kept exactly\nnote: in m, rad, s and kg, numbers lie between 1e-16 and 1e36, those of few digits down to 1e-36";
@@ -251,6 +251,54 @@ fn bare_numbers_in_the_place_of_quantities_are_doubted() {
     for sure in [motor("60"), motor("1500rpm"), turned("2 * cycloidal(t / 1s)"), with("output far = b.y - 2;")] {
         assert_eq!(sure, Vec::<String>::new());
     }
+}
+
+/// Expressions that are valid, and often meant otherwise.
+#[test]
+fn expressions_that_are_often_meant_otherwise_are_doubted() {
+    let doubts = |ambient: &str, items: &str| {
+        let source = format!("#[equations_only] mechanism M {ambient} {{ {items} body b {{ }} output place = b.position; }}");
+        let compiled =
+            reuleaux_compiler::compile(source.parse().expect("tokens")).unwrap_or_else(|refusals| panic!("{items}: {refusals:?}"));
+        compiled.model.doubts.iter().map(|warning| warning.doubt.to_string()).collect::<Vec<String>>()
+    };
+    let raised = |written: &str, meaning: &str, instead: &str| {
+        vec![format!("`{written}` raises the number, too: it is `{meaning}`\nhelp: write `{instead}`, or `{meaning}` if it is meant")]
+    };
+    let plane = |items: &str| doubts("", items);
+    assert_eq!(plane("param a: Area = 20mm^2;"), raised("20mm^2", "(20mm)^2", "20mm2"));
+    assert_eq!(plane("let a = 60min^-1;"), raised("60min^-1", "(60min)^-1", "60rpm"));
+    assert_eq!(plane("let a = 5s^-1;"), raised("5s^-1", "(5s)^-1", "5 / 1s"));
+    assert_eq!(plane("let a = 5mm^3;"), raised("5mm^3", "(5mm)^3", "5 * 1mm^3"));
+    for sure in ["let a = (20mm)^2;", "let a = 1mm^2;", "let a = 20^2;", "let a = 20mm2;"] {
+        assert_eq!(plane(sure), Vec::<String>::new(), "{sure}");
+    }
+    let turns = "`f * t` counts turns, and as an angle it is taken in radians\nhelp: write `1turn * f * t`, or give an `AngularVelocity` instead of a \
+                 `Frequency`";
+    assert_eq!(plane("param f: Frequency = 5; let s = sin(f * t);"), [turns]);
+    assert_eq!(plane("param f: Frequency = 5; let s = sin(2 * pi * f * t);"), Vec::<String>::new());
+    let jumps = "a change of `w` acts over all the time before it: `w * t` jumps\nhelp: equate a rate, `drive name = { rate(body.angle) == w; }`, \
+                 in a mechanism that is `#[integrated]`";
+    assert_eq!(plane("input w: AngularVelocity; drive d = drive_angle(b, w * t);"), [jumps]);
+    let gravity =
+        |found: &str| vec![format!("the acceleration of free fall is {found} here, and 9.81 m/s² on earth\nhelp: write `9.81m_s2`")];
+    assert_eq!(plane("body c { mass = 1kg; } gravity = (0, -9810);"), gravity("9810 m/s²"));
+    assert_eq!(plane("body c { mass = 1kg; } gravity = (0, -1.62m_s2);"), Vec::<String>::new());
+    let wide = "the inertia of `c` is that of its mass at a distance of 86600 mm, where no length exceeds 300 mm\nhelp: a number without a unit is \
+                in kg m²; write `kgm2`, `kgcm2` or `kgmm2`";
+    let inertia = |inertia: &str| plane(&format!("body c {{ point P = (300mm, 0mm); mass = 2kg; inertia = {inertia}; }}"));
+    assert_eq!(inertia("15000"), [wide]);
+    assert_eq!(inertia("0.015"), Vec::<String>::new());
+    let center =
+        "`center` is a point here, and the centre of mass of `c` is its origin\nhelp: write `center = (…);` for the centre of mass";
+    assert_eq!(plane("body c { mass = 1kg; point center = (1mm, 0mm); }"), [center]);
+    assert_eq!(plane("body c { mass = 1kg; point center = (1mm, 0mm); center = (1mm, 0mm); }"), Vec::<String>::new());
+    let rod = |point: &str| {
+        doubts("in space", &format!("body c {{ mass = 1kg; point P = {point}; center = (1mm, 0mm, 0mm); inertia = rod(300mm); }}"))
+    };
+    let across = "a rod lies along x, and `P` of `c` across it\nhelp: write `inertia = rod(300mm) along turn((0, 0, 1), 90deg);`";
+    assert_eq!(rod("(0mm, 300mm, 0mm)"), [across]);
+    assert_eq!(rod("(300mm, 0mm, 0mm)"), Vec::<String>::new());
 }
 
 /// More than a turn of radians is rather one of degrees.

@@ -59,6 +59,8 @@ impl Display for GrammarFact {
             GrammarFact::Expected { what, found } => {
                 write!(f, "expected {what}, found {}", shortened(found))?;
                 match (*what, found.as_str()) {
+                    ("an expression", "`|`") => write!(f, "\nhelp: write `abs(x)`, or `norm(v)` of a vector"),
+                    ("an item", "`%`") => write!(f, "\nhelp: a comment begins with `//`"),
                     ("an expression", "`.`") => write!(f, "\nhelp: a number begins with a digit, such as `0.5`"),
                     ("the name of the joint", "`=`") => write!(f, "\nhelp: write `joint name = …`"),
                     ("the name of the drive", "`=`") => write!(f, "\nhelp: write `drive name = …`"),
@@ -205,6 +207,15 @@ impl Display for GrammarFact {
                     f,
                     "a choice has one condition\nhelp: choose twice, as in `if a < b {{ if c < d {{ x }} else {{ y }} }} else {{ y }}`"
                 )
+            }
+            GrammarFact::NumberBeforeParentheses { number, is_range: true } => {
+                write!(f, "the bounds of a parameter stand behind `in`\nhelp: write `{number} in 50mm..=150mm`")
+            }
+            GrammarFact::NumberBeforeParentheses { number, .. } => {
+                write!(f, "an operator is missing between `{number}` and `(`\nhelp: write `{number} * (…)`")
+            }
+            GrammarFact::OutputInUnit { unit } => {
+                write!(f, "outputs are in SI: no unit is chosen for them\nhelp: take `in {unit}` away, and multiply in Rust")
             }
             GrammarFact::ConditionInParentheses => {
                 write!(f, "a condition has no parentheses\nhelp: write `if a < b {{ x }} else {{ y }}`")

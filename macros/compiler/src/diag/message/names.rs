@@ -1,6 +1,6 @@
 //! Messages about names.
 
-use super::words::{declared, did_you_mean, first_of, is_acceleration, is_load, is_rate, list, listed, shortened};
+use super::words::{declared, did_you_mean, first_of, is_acceleration, is_load, is_rate, is_velocity, list, listed, shortened};
 use crate::diag::elsewhere::equivalent;
 use crate::diag::{Home, NameFact, foreign, usual_dimension};
 use crate::quantity::{Dim, Role};
@@ -26,6 +26,10 @@ impl Display for NameFact {
             }
             NameFact::UnitInParts { written, instead } => {
                 write!(f, "a unit is one word, and `{written}` is several\nhelp: write `{instead}`")
+            }
+            NameFact::PointInBody { name } => {
+                write!(f, "`{name}` moves with its body, and what stands in a body is written in its own coordinates")?;
+                write!(f, "\nhelp: name the coordinates with `let c = (100mm, 0mm);`, and write `c` for both")
             }
             NameFact::OutputRead { name } => {
                 write!(f, "`{name}` is an output: it is read from Rust, not in the declaration")?;
@@ -61,6 +65,13 @@ impl Display for NameFact {
                     f,
                     "{owner} has no `{name}`\nhelp: an output is given with its rate and its acceleration; equations and forces contain none"
                 )
+            }
+            NameFact::UnknownField { owner, name, .. } if name == "center" || name == "mass" || name == "inertia" => {
+                write!(f, "{owner} has no `{name}` that expressions can read")?;
+                match name.as_str() {
+                    "center" => write!(f, "\nhelp: declare a point at the centre of mass; weight acts by `gravity = (0, -9.81m_s2);`"),
+                    _ => write!(f, "\nhelp: name its value with `let`, for the body and for this"),
+                }
             }
             NameFact::UnknownField { owner, name, near: None, .. } if is_load(name) => {
                 write!(f, "{owner} has no `{name}`\nnote: loads are computed for a state, in Rust")?;
@@ -107,7 +118,7 @@ impl Display for NameFact {
                 let [kind, item] = declared(*is_force);
                 write!(f, "`{name}` is a {kind}, not a function\nhelp: write `{item} name = {name}(…);`")
             }
-            NameFact::UnknownFunction { name, near: None, .. } => {
+            NameFact::UnknownFunction { name, near, .. } if near.is_none() || foreign(name).is_some() => {
                 write!(f, "no function is called `{name}`")?;
                 match foreign(name) {
                     Some((reason, instead)) => write!(f, "{reason}\nhelp: {instead}"),
@@ -149,6 +160,9 @@ impl Display for NameFact {
             NameFact::UnknownUnit { name, .. } if name.eq_ignore_ascii_case("Hz") => {
                 write!(f, "no unit is called `{name}`\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`")
             }
+            NameFact::UnknownUnit { name, .. } if name == "nm" => {
+                write!(f, "no unit is called `nm`\nhelp: a torque is in `Nm`; a nanometre is `0.001um`")
+            }
             NameFact::UnknownUnit { number, name, near } => {
                 if let Some(equivalent) = equivalent(name) {
                     return write!(f, "no unit is called `{name}`\nhelp: `1{name}` is `{equivalent}`");
@@ -163,10 +177,24 @@ impl Display for NameFact {
             }
             NameFact::UnknownDimension { name, near } => {
                 write!(f, "no dimension is called `{name}`{}", did_you_mean(near))?;
+                let product = match name.to_lowercase().as_str() {
+                    "volume" => Some("Length^3"),
+                    "density" => Some("Mass / Length^3"),
+                    "momentum" => Some("Mass * Velocity"),
+                    "jerk" => Some("Length / Time^3"),
+                    _ => None,
+                };
+                if let Some(product) = product.filter(|_| near.is_none()) {
+                    return write!(f, "\nhelp: write `{product}`");
+                }
                 if near.is_none() {
                     write!(f, "\nnote: there are {}", listed(Dim::names()))?;
                 }
                 Ok(())
+            }
+            NameFact::UnknownStart { name, .. } if is_velocity(name) => {
+                write!(f, "a body does not start with `{name}`: a velocity at the start is that of a freedom")?;
+                write!(f, "\nhelp: write `freedom name = body.angle from 0deg at 5rad_s;`")
             }
             NameFact::UnknownStart { name, near, in_space } => {
                 let words = if *in_space { "`x`, `y`, `z`, `position` or `orientation`" } else { "`x`, `y`, `position` or `angle`" };

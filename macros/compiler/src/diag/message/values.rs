@@ -1,7 +1,7 @@
 //! Messages about kinds, dimensions and values.
 
 use super::significant;
-use super::words::shortened;
+use super::words::{is_velocity, shortened};
 use crate::diag::{Kind, Typed, ValueFact, Wanted, quantity, remedy};
 use crate::quantity::{Ambient, Dim};
 use std::f64::consts::TAU;
@@ -66,6 +66,10 @@ impl Display for ValueFact {
                 write!(f, "an energy is in J, found {found}")?;
                 write!(f, "\nhelp: a spring of stiffness `k` has `0.5 * k * s^2`, a constant force `F` has `-F * s` along `s`")
             }
+            // That a force drives nothing is told to drives.
+            ValueFact::WrongDimension { wanted: wanted @ (Dim::ANGLE | Dim::LENGTH), found: found @ (Dim::TORQUE | Dim::FORCE) } => {
+                write!(f, "expected {wanted}, found {found}")
+            }
             ValueFact::WrongDimension { wanted, found } => {
                 write!(f, "expected {wanted}, found {found}{}", remedy::of_dimension(*wanted, *found))
             }
@@ -74,6 +78,16 @@ impl Display for ValueFact {
             }
             ValueFact::NotARate { written, found, instead } => {
                 write!(f, "`{written}` is {found}, and what grows with `t` is multiplied by a rate\nhelp: write `{instead}`")
+            }
+            ValueFact::PoseAsPosition { written } => {
+                write!(f, "a position in the plane has 2 components, found 3")?;
+                let parts: Vec<&str> = written.trim_matches(['(', ')']).split(", ").collect();
+                match parts.as_slice() {
+                    [x, y, angle] if angle.ends_with("deg") || angle.ends_with("rad") => {
+                        write!(f, "\nhelp: write `start position = ({x}, {y}); start angle = {angle};`")
+                    }
+                    _ => write!(f, "\nhelp: for a mechanism in space write `mechanism Name in space {{ … }}`"),
+                }
             }
             ValueFact::BareGains { action, one, two, numbers: [first, second] } => {
                 let units = if *one == Dim::ANGLE { ["Nm", "Nms"] } else { ["N_m", "Ns_m"] };
@@ -355,6 +369,10 @@ fn mistyped(f: &mut Formatter, typed: Option<&Typed>) -> Result {
 }
 
 fn not_a_start(f: &mut Formatter, written: &str, body: Option<&str>, ambient: Ambient) -> Result {
+    if written.rsplit('.').next().is_some_and(is_velocity) {
+        write!(f, "a velocity at the start is that of a freedom")?;
+        return write!(f, "\nhelp: write `freedom name = body.angle from 0deg at 5rad_s;`");
+    }
     let what = written.rsplit('.').next().filter(|word| ambient.start_words().any(|known| known == *word));
     let owner = body.unwrap_or("b");
     let joint = if written.chars().all(|letter| letter.is_alphanumeric() || letter == '_') { written } else { "joint" };

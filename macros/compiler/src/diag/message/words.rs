@@ -134,6 +134,11 @@ pub(super) fn is_rate(name: &str) -> bool {
     ["rate", "velocity", "speed", "vel", "dot"].contains(&name)
 }
 
+/// True for words for velocities at the start.
+pub(super) fn is_velocity(name: &str) -> bool {
+    is_rate(name) || ["angular_velocity", "omega", "initial_velocity", "angular_speed", "vx", "vy"].contains(&name)
+}
+
 /// True for words for loads.
 pub(super) fn is_load(name: &str) -> bool {
     ["force", "torque", "effort", "power", "load", "loads", "reaction"].contains(&name)
@@ -141,5 +146,5 @@ pub(super) fn is_load(name: &str) -> bool {
 
 /// True for words for an acceleration.
 pub(super) fn is_acceleration(name: &str) -> bool {
-    ["acceleration", "accel", "ddot"].contains(&name)
+    ["acceleration", "accel", "ddot", "angular_acceleration"].contains(&name)
 }

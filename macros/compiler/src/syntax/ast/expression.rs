@@ -15,6 +15,35 @@ pub struct Expression {
     pub depth: u16,
 }
 
+impl Expression {
+    /// Visits the expression and all its parts.
+    pub(crate) fn each<'a>(&'a self, visit: &mut impl FnMut(&'a Expression)) {
+        visit(self);
+        match &self.kind {
+            ExpressionKind::Path(_) | ExpressionKind::Number { .. } => {}
+            ExpressionKind::Field(value, _) | ExpressionKind::Negative(value) => value.each(visit),
+            ExpressionKind::Index(one, two) | ExpressionKind::Binary(_, one, two) => {
+                one.each(visit);
+                two.each(visit);
+            }
+            ExpressionKind::Call(_, items) | ExpressionKind::Tuple(items) | ExpressionKind::List(items) => {
+                items.iter().for_each(|item| item.each(visit));
+            }
+            ExpressionKind::If { lhs, rhs, then, otherwise, .. } => {
+                [lhs, rhs, then, otherwise].into_iter().for_each(|part| part.each(visit))
+            }
+        }
+    }
+
+    /// The name, if the expression is one.
+    pub(crate) fn name(&self) -> Option<&Ident> {
+        match &self.kind {
+            ExpressionKind::Path(path) => path.name.as_ref(),
+            _ => None,
+        }
+    }
+}
+
 /// Kinds of expressions.
 #[derive(Clone, Debug)]
 pub enum ExpressionKind {

@@ -1,0 +1,152 @@
+//! Warnings about valid expressions that are often meant otherwise: powers of numbers with units, frequencies as angles, inputs by the time, and
+//! free fall in other units.
+
+use crate::diag::{Doubt, Range, Warning, quantity as in_words};
+use crate::quantity::{self, Dim};
+use crate::syntax::ast::{Expression, ExpressionKind, Item, JointBody, Mechanism, Operator, Statement, every_item};
+use std::collections::BTreeSet;
+
+/// Free fall that is slower or faster than this (m/s²) was rather meant in millimetres.
+const USUAL: [f64; 2] = [0.02, 100.0];
+
+/// Names of quantities that make a product with `t` doubtful.
+struct Suspects {
+    /// Inputs that are velocities.
+    inputs: BTreeSet<String>,
+    /// Frequencies.
+    frequencies: BTreeSet<String>,
+}
+
+/// Warnings about the expressions of a mechanism.
+pub(crate) fn doubtful_expressions(tree: &Mechanism) -> Vec<Warning> {
+    let is_rate = |dim: Dim| [Dim::ANGLE, Dim::LENGTH].contains(&dim.times(Dim::TIME));
+    let (mut inputs, mut frequencies) = (BTreeSet::new(), BTreeSet::new());
+    for item in every_item(&tree.items) {
+        let (Item::Parameter(quantity) | Item::Input(quantity)) = item else { continue };
+        let (name, dim) = (quantity.name.to_string(), quantity.dimension.dim());
+        if matches!(item, Item::Input(_)) && dim.is_some_and(is_rate) {
+            inputs.insert(name);
+        } else if dim == Some(Dim::NUMBER.per(Dim::TIME)) {
+            frequencies.insert(name);
+        }
+    }
+    let (names, mut found) = (Suspects { inputs, frequencies }, Vec::new());
+    for item in every_item(&tree.items) {
+        let at_top = written_in(item);
+        at_top.iter().for_each(|value| value.each(&mut |part| found.extend(names.doubt(part))));
+        if let Item::Gravity(gravity) = item {
+            found.extend(unusual_gravity(&gravity.value));
+        }
+    }
+    found
+}
+
+/// The expressions that an item consists of.
+fn written_in(item: &Item) -> Vec<&Expression> {
+    match item {
+        Item::Parameter(quantity) | Item::Input(quantity) => vec![&quantity.default],
+        Item::Let(binding) => vec![&binding.value],
+        Item::Function(function) => vec![&function.value],
+        Item::Output(output) => vec![&output.value],
+        Item::Start(start) => vec![&start.value],
+        Item::Gravity(gravity) => vec![&gravity.value],
+        Item::Part(part) => part.arguments.iter().map(|argument| &argument.value).collect(),
+        Item::Ground(frame) | Item::Body(frame) => {
+            let marks = frame.marks.single.iter().map(|mark| &mark.value);
+            let starts = frame.starts.iter().map(|start| &start.value);
+            marks.chain(starts).chain(frame.masses.iter().map(|mass| &mass.value)).collect()
+        }
+        Item::Joint(joint) | Item::Force(joint) => match &joint.body {
+            JointBody::Of { arguments, .. } => arguments.iter().map(|argument| &argument.value).collect(),
+            JointBody::Equations(statements) => statements.iter().flat_map(of_statement).collect(),
+            JointBody::Freedom(freedom) => {
+                [Some(&freedom.value), freedom.from.as_ref(), freedom.at.as_ref()].into_iter().flatten().collect()
+            }
+            JointBody::Energy(value) | JointBody::Value(value) => vec![value],
+        },
+        Item::Use(_) | Item::Range(_) | Item::Refused(_) | Item::Component(_) | Item::For(_) => Vec::new(),
+    }
+}
+
+fn of_statement(statement: &Statement) -> Vec<&Expression> {
+    match statement {
+        Statement::Let(binding) => vec![&binding.value],
+        Statement::Equation(one, two) => vec![one, two],
+        Statement::Apply(applied) => vec![&applied.value],
+        Statement::Potential(energy) => vec![energy],
+        Statement::Require(_) | Statement::Add(_) => Vec::new(),
+    }
+}
+
+impl Suspects {
+    fn doubt(&self, value: &Expression) -> Option<Warning> {
+        let by_time = |product: &Expression, names: &BTreeSet<String>| match &product.kind {
+            ExpressionKind::Binary(Operator::Mul, one, two) => {
+                let named = [one, two].map(|side| side.name().map(ToString::to_string));
+                let is_time = |side: usize| named[side].as_deref() == Some("t");
+                let other = if is_time(1) { named[0].clone() } else { named[1].clone().filter(|_| is_time(0)) };
+                other.filter(|name| names.contains(name))
+            }
+            _ => None,
+        };
+        let warn = |doubt: Doubt, range: Range| Some(Warning { doubt, range });
+        if let Some(input) = by_time(value, &self.inputs) {
+            return warn(Doubt::InputByTime { input }, value.range);
+        }
+        match &value.kind {
+            ExpressionKind::Binary(Operator::Power, base, exponent) => warn(raised_number(base, exponent)?, value.range),
+            ExpressionKind::Call(function, arguments) if ["sin", "cos", "tan"].iter().any(|name| function.last == name) => {
+                let angle = arguments.first()?;
+                by_time(angle, &self.frequencies)?;
+                warn(Doubt::TurnsAsAngle { written: angle.to_string() }, angle.range)
+            }
+            _ => None,
+        }
+    }
+}
+
+/// Doubts free fall that is written out and that is much slower or faster than on earth.
+fn unusual_gravity(value: &Expression) -> Option<Warning> {
+    let ExpressionKind::Tuple(parts) = &value.kind else { return None };
+    let part = |part: &Expression| {
+        let part = if let ExpressionKind::Negative(inner) = &part.kind { inner } else { part };
+        match &part.kind {
+            ExpressionKind::Number { digits, unit } if unit.is_empty() => digits.parse::<f64>().ok(),
+            ExpressionKind::Number { digits, unit } => Some(digits.parse::<f64>().ok()? * quantity::unit(unit)?.0.to_f64()),
+            _ => None,
+        }
+    };
+    let parts: Vec<f64> = parts.iter().map(part).collect::<Option<_>>()?;
+    let size = parts.iter().map(|part| part * part).sum::<f64>().sqrt();
+    let found = in_words(size, Dim::ACCELERATION);
+    let is_unusual = size > 0.0 && !(USUAL[0]..=USUAL[1]).contains(&size);
+    is_unusual.then_some(Warning { doubt: Doubt::UnusualGravity { found }, range: value.range })
+}
+
+/// Doubts `20mm^2`, which is (20 mm)².
+fn raised_number(base: &Expression, exponent: &Expression) -> Option<Doubt> {
+    let (sign, exponent) = match &exponent.kind {
+        ExpressionKind::Negative(inner) => ("-", inner.as_ref()),
+        _ => ("", exponent),
+    };
+    let ExpressionKind::Number { digits, unit } = &base.kind else { return None };
+    let ExpressionKind::Number { digits: power, unit: none } = &exponent.kind else { return None };
+    // Parentheses are two tokens.
+    let is_bare = base.range.first.start() == base.range.last.start();
+    let is_same = digits.parse::<f64>().is_ok_and(|value| value == 0.0 || value == 1.0) || power == "1" && sign.is_empty();
+    if !is_bare || is_same || unit.is_empty() || !none.is_empty() {
+        return None;
+    }
+    let instead = match sign {
+        "" if quantity::unit(&format!("{unit}{power}")).is_some() => format!("{digits}{unit}{power}"),
+        "" => format!("{digits} * 1{unit}^{power}"),
+        _ if unit == "min" && power == "1" => format!("{digits}rpm"),
+        _ if power == "1" => format!("{digits} / 1{unit}"),
+        _ => format!("{digits} / 1{unit}^{power}"),
+    };
+    Some(Doubt::RaisedNumber {
+        written: format!("{digits}{unit}^{sign}{power}"),
+        meaning: format!("({digits}{unit})^{sign}{power}"),
+        instead,
+    })
+}

@@ -1,0 +1,133 @@
+//! What is known of the items of a mechanism before and while they are resolved, and refusals of names.
+
+use super::{Context, EntityId, Key, SpaceId, Value};
+use crate::diag::{ArrayFact, Fact, Known, NameFact, Range};
+use crate::expr::{Expr, Lookup, Triple};
+use crate::geometry::{Geometry, Place, Relationship, Triad};
+use crate::model::{JointStart, Name, Of};
+use crate::quantity::{Ambient, Role};
+use crate::syntax::ast;
+use proc_macro2::Ident;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The mechanism or a part while its items are registered.
+#[derive(Default)]
+pub(crate) struct OpenPart {
+    pub(crate) component: Option<ast::Shared<ast::ComponentItem>>,
+    /// Number of its first body.
+    pub(crate) first: usize,
+    /// Items that appear in the generated types, each with its number among items of its kind.
+    pub(crate) items: Vec<(Of, EntityId, usize)>,
+    /// Declaration of the part.
+    pub(crate) id: Option<EntityId>,
+}
+
+/// Declared items, in the order of expansion.
+#[derive(Default)]
+pub(crate) struct Register {
+    /// Parameters, and value, rate and acceleration of each input.
+    pub(crate) parameters: Vec<(EntityId, ast::Shared<ast::ParameterItem>)>,
+    /// Inputs, each with the number of its value among the parameters.
+    pub(crate) inputs: Vec<(EntityId, usize)>,
+    /// `let`s and arguments of parts, used or not, so that errors in all of them are found.
+    pub(crate) lets: Vec<EntityId>,
+    pub(crate) functions: Vec<ast::Shared<ast::FunctionItem>>,
+    pub(crate) bodies: Vec<(EntityId, ast::Shared<ast::FrameItem>)>,
+    pub(crate) marks: Vec<EntityId>,
+    /// Freedoms come last: their equations hold at the start only.
+    pub(crate) joints: Vec<(EntityId, ast::Shared<ast::JointItem>)>,
+    pub(crate) forces: Vec<(EntityId, ast::Shared<ast::JointItem>)>,
+    pub(crate) gravity: Option<ast::Shared<ast::Gravity>>,
+    pub(crate) starts: Vec<(ast::Shared<ast::StartItem>, Context)>,
+    pub(crate) outputs: Vec<(EntityId, ast::Shared<ast::OutputItem>)>,
+    pub(crate) output_names: BTreeMap<(SpaceId, String), BTreeSet<Vec<usize>>>,
+    /// The parts as written, without an entry for the mechanism.
+    pub(crate) parts: Vec<ast::Shared<ast::PartItem>>,
+    /// The mechanism and its parts.
+    pub(crate) places: Vec<OpenPart>,
+    /// Components being expanded, to detect recursion.
+    pub(crate) open: Vec<String>,
+    /// Number of enclosing loops.
+    pub(crate) loops: usize,
+    pub(crate) range: Option<ast::Shared<ast::TimeRange>>,
+    pub(crate) has_ground: bool,
+}
+
+/// A declared name, as written.
+#[derive(Clone, Copy)]
+pub(crate) struct Written<'a> {
+    /// Key of the declaration.
+    pub(crate) key: Key,
+    pub(crate) name: &'a Ident,
+    pub(crate) indices: &'a [ast::Expression],
+}
+
+/// The error for a name that is taken, possibly by the same item in another loop iteration.
+pub(crate) fn duplicate(name: String, first: &'static str, in_loop: Option<&(String, Value)>) -> Fact {
+    match in_loop {
+        Some((variable, _)) => ArrayFact::DuplicateInLoop { name, variable: variable.clone() }.into(),
+        None => NameFact::Duplicate { name, first }.into(),
+    }
+}
+
+/// The coordinate that space has and the plane has not.
+pub(crate) const HEIGHT: &str = "z";
+
+/// What is wrong with an axis called `z` in the plane where a number is wanted.
+pub(crate) fn misread_height(ambient: Ambient, written: &ast::Expression, value: &Value) -> Option<NameFact> {
+    match (&written.kind, value) {
+        (ast::ExpressionKind::Field(owner, name), Value::Axis(_)) if ambient == Ambient::Plane && name == HEIGHT => {
+            Some(NameFact::NoHeight { owner: format!("`{owner}`"), is_axis: true })
+        }
+        _ => None,
+    }
+}
+
+pub(crate) fn unknown_field(value: &Value, name: String, ambient: Ambient) -> NameFact {
+    if name == HEIGHT && ambient == Ambient::Plane && matches!(value, Value::Point(_) | Value::Axis(_) | Value::Vector(_)) {
+        return NameFact::NoHeight { owner: value.kind().to_string(), is_axis: false };
+    }
+    let axes = ambient.positions().map(Role::name);
+    let known: Vec<&str> = match value {
+        Value::Point(_) | Value::Axis(_) => axes.chain(["body"]).collect(),
+        Value::Vector(_) => axes.collect(),
+        _ => Vec::new(),
+    };
+    NameFact::UnknownField { owner: value.kind().to_string(), name, near: None, known: Known::of(known.into_iter()) }
+}
+
+/// Properties of expressions while a mechanism is resolved.
+#[derive(Default)]
+pub(crate) struct Notes {
+    pub(crate) geometry: Geometry,
+    /// Item that is resolved, and for each quantity the item that names it first.
+    pub(crate) item: Option<Name>,
+    pub(crate) quantity_items: Vec<Option<Name>>,
+    /// Declared starts of angles and displacements of joints.
+    pub(crate) starts: Vec<JointStart>,
+    /// Relations that hold where these expressions vanish.
+    pub(crate) origins: Lookup<Vec<Expr>, Relationship>,
+    /// Points whose difference has these components: the second minus the first.
+    pub(crate) differences: Lookup<[Expr; 3], (Place, Place)>,
+    pub(crate) triads: Lookup<(Place, Option<Triple>), Triad>,
+}
+
+/// A value that depends on parameters alone and must be finite.
+pub(crate) struct FixedValue {
+    pub(crate) expr: Expr,
+    /// Expression in the tree, reported once for all its instances.
+    pub(crate) item: Key,
+    pub(crate) range: Range,
+    /// Noun for messages.
+    pub(crate) noun: &'static str,
+    /// Description of the instance, if the declaration is expanded several times.
+    pub(crate) place: Option<String>,
+}
+
+/// Fields of an input in the generated struct.
+pub(crate) const INPUT_PARTS: [&str; 3] = ["value", "rate", "acceleration"];
+
+/// True in a loop or in a component, where a declaration may be expanded several times.
+pub(crate) fn is_one_of_many(context: &Context) -> bool {
+    context.space != SpaceId::MECHANISM || !context.bound.is_empty()
+}
