@@ -13,13 +13,13 @@ mechanism! {
         ground { point O = (0m, 0m); point V = (-3.8m, -0.78m); }
         body crank { point O = (0m, 0m); point X = (1.5m, 0m); }
         body bar_j { point X = (0m, 0m); point U = (5m, 0m); start angle = 2.466; }
-        let wx = (4.15m^2 + 4.01m^2 - 5.58m^2) / (2 * 4.15m);
-        body upper { point V = (0m, 0m); point U = (4.15m, 0m); point W = (wx, sqrt(4.01m^2 - wx^2)); start angle = 1.227; }
+        let wx = ((4.15m)^2 + (4.01m)^2 - (5.58m)^2) / (2 * 4.15m);
+        body upper { point V = (0m, 0m); point U = (4.15m, 0m); point W = (wx, sqrt((4.01m)^2 - wx^2)); start angle = 1.227; }
         body bar_k { point X = (0m, 0m); point C = (6.19m, 0m); start angle = -2.315; }
         body bar_c { point V = (0m, 0m); point C = (3.93m, 0m); start angle = -1.286; }
         body bar_f { point W = (0m, 0m); point F = (3.94m, 0m); start angle = -1.165; }
-        let tx = (3.67m^2 + 6.57m^2 - 4.90m^2) / (2 * 3.67m);
-        body foot { point F = (0m, 0m); point C = (3.67m, 0m); point T = (tx, -sqrt(6.57m^2 - tx^2)); start angle = -0.496; }
+        let tx = ((3.67m)^2 + (6.57m)^2 - (4.90m)^2) / (2 * 3.67m);
+        body foot { point F = (0m, 0m); point C = (3.67m, 0m); point T = (tx, -sqrt((6.57m)^2 - tx^2)); start angle = -0.496; }
         joint o = revolute(ground.O, crank.O);
         joint xj = revolute(crank.X, bar_j.X);
         joint xk = revolute(crank.X, bar_k.X);

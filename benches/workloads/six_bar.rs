@@ -15,7 +15,7 @@ mechanism! {
         body crank { point D0 = (0m, 0m); point D = (1m, 0m); }
         body link { point D = (0m, 0m); point C = (3.5m, 0m); start position = (5m, 5.5m); start angle = -164.8deg; }
         body left { point A0 = (0m, 0m); point A = (2.5m, 0m); start angle = 101.3deg; }
-        body coupler { point A = (0m, 0m); point B = (4.5m, 0m); point C = (2.25m, sqrt(3m^2 - 2.25m^2)); start angle = 3.8deg; }
+        body coupler { point A = (0m, 0m); point B = (4.5m, 0m); point C = (2.25m, sqrt((3m)^2 - (2.25m)^2)); start angle = 3.8deg; }
         body right { point B0 = (0m, 0m); point B = (2.75m, 0m); start angle = 90deg; }
         joint d0 = revolute(ground.D0, crank.D0);
         joint d = revolute(crank.D, link.D);

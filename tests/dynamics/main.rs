@@ -12,6 +12,7 @@ mod far;
 mod flat;
 mod forces;
 mod gears;
+mod indexed;
 mod integrated;
 mod jumps;
 mod kept;

@@ -13,6 +13,7 @@ use super::places::{are_finite, largest, largest_change, picked};
 use super::project::{Reached, project, refresh};
 use super::rank::{is_regular, keeps_rank, too_short};
 use super::stopped::Stopped;
+use crate::names::{Coordinate, CoordinateKind};
 use crate::number::Scalar;
 use crate::number::order::smaller;
 use crate::state::State;
@@ -84,7 +85,55 @@ where
     is_regular(mechanism, t, reached)?;
     let mut next = State::new(t, q, qd, from.qdd);
     refresh(mechanism, &mut next)?;
+    if !drives_are_foreseen::<T, S, N, I, M, R>(from, &next, h) {
+        return Err(too_short(mechanism, &next));
+    }
     Ok(next)
+}
+
+/// Largest distance of an angle that a drive determines from its prediction, in rad.
+const LARGEST_SURPRISE: f64 = 0.6;
+
+/// True if every angle that is computed instead of integrated is close to its prediction. A drive that turns by a whole turn within a step would
+/// leave loops behind, which are closed after it as well as before.
+#[inline(always)]
+fn drives_are_foreseen<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    from: &State<T, N>,
+    to: &State<T, N>,
+    h: T,
+) -> bool
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let computed = const { computed_angles::<N, I>(S::COORDINATES, &S::INTEGRATED) };
+    // Without equations between integrated coordinates there is no loop.
+    if M == 0 {
+        return true;
+    }
+    let half = T::of(0.5);
+    (0..N).filter(|&i| computed[i]).all(|i| {
+        let predicted = from.q[i] + h * (from.qd[i] + half * h * from.qdd[i]);
+        (to.q[i] - predicted).abs() <= T::of(LARGEST_SURPRISE)
+    })
+}
+
+/// For each coordinate, whether it is an angle that is not integrated.
+const fn computed_angles<const N: usize, const I: usize>(coordinates: &[Coordinate], integrated: &[usize; I]) -> [bool; N] {
+    let mut computed = [false; N];
+    let mut number = 0;
+    while number < N && number < coordinates.len() {
+        computed[number] = matches!(coordinates[number].kind, CoordinateKind::Angle);
+        number += 1;
+    }
+    number = 0;
+    while number < I {
+        if integrated[number] < N {
+            computed[integrated[number]] = false;
+        }
+        number += 1;
+    }
+    computed
 }
 
 /// True if positions and speeds that were brought back to where the equations hold are near those before, by a tolerance relative to
