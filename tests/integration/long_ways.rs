@@ -68,13 +68,9 @@ fn a_law_between_the_times_of_a_sweep_is_followed() {
     for duration in durations().filter(|duration| *duration > 0.005) {
         let indexed = Indexed { at: 1.0, duration };
         for times in [vec![0.0, 4.0], vec![0.0, 2.0, 4.0]] {
-            let angles: Vec<[f64; 2]> = indexed
-                .sweep(times)
-                .map(|state| state.map(|state| [state.crank().angle, state.follower().angle]))
-                .collect::<Result<_, _>>()
-                .unwrap_or_else(|failure| panic!("{duration} s: {failure}"));
-            let (first, last) = (angles[0], angles[angles.len() - 1]);
-            let found = turns(last[0], last[1], first[1]);
+            let mut states = indexed.sweep(times).map(|state| state.unwrap_or_else(|failure| panic!("{duration} s: {failure}")));
+            let (first, last) = (states.next().unwrap(), states.last().unwrap());
+            let found = turns(last.crank().angle, last.follower().angle, first.follower().angle);
             assert!(found.iter().all(|turns| (turns - 1.0).abs() < 1e-14), "{duration} s: {found:?}");
         }
     }

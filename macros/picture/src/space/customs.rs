@@ -21,6 +21,8 @@ impl Customs {
     pub(crate) fn of(scenes: &[Placed]) -> Customs {
         let mut customs = Customs::default();
         for scene in scenes {
+            let all: Vec<Vec3> = scene.bodies.iter().flat_map(|body| body.points.iter().copied()).collect();
+            let middle = Vec3::middle(&all);
             for (number, joint) in scene.joints.iter().enumerate() {
                 if let Some((p, q, a)) = joint_of(scene, number) {
                     let way = (q.at - p.at).dot(a);
@@ -30,9 +32,9 @@ impl Customs {
                 let Some(mover) = joint.given.points().find_map(|of| of.body) else { continue };
                 let at = joint.given.points().next().map_or(Vec3::default(), |of| of.at);
                 let points = &scene.bodies[mover].points;
-                let way = Vec3::middle(points) - at;
-                // Where a body is balanced about its joint, rounding would decide.
-                let way = Some(way).filter(|way| way.norm() > BALANCED).and_then(Vec3::direction).unwrap_or_default();
+                // Where a body is balanced about its joint, rounding would decide: then all that hangs on it does.
+                let ways = [Vec3::middle(points) - at, middle - at];
+                let way = ways.into_iter().find(|way| way.norm() > BALANCED).and_then(Vec3::direction).unwrap_or_default();
                 let known = customs.leaves.entry(number).or_default();
                 *known = *known + way;
             }
