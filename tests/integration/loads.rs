@@ -191,7 +191,7 @@ mechanism! {
         body crank  { point A = (120mm, 0mm); }
         body rod    { point B = (120mm, 0mm);  mass = 0.5kg;  inertia = 0.002kgm2;  start angle = -60deg; }
         body slide  { mass = 0.8kg; }
-        body beside { inertia = 1e6kgm2;  mass = 2000kg; }
+        body beside { inertia = 1e6kgm2;  mass = 1kg; }
         joint o = revolute(ground.position, crank.position);
         joint a = revolute(crank.A, rod.position);
         joint b = revolute(rod.B, slide.position);

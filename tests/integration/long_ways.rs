@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use reuleaux::mechanism;
+use reuleaux::{Cause, mechanism};
 
 mechanism! {
     /// A double crank that waits, turns and waits.
@@ -96,8 +96,37 @@ fn a_drive_that_turns_on_by_a_parameter_leaves_nothing_behind() {
     let mut state = Delayed::default().solve(10.0).unwrap();
     let before = state.clone();
     let faster = Delayed { speed: 1.1 * TAU, ..Default::default() };
-    match faster.advance(&mut state, 10.0) {
-        Ok(()) => assert_eq!(state.follower().angle, faster.solve(10.0).unwrap().follower().angle),
-        Err(_) => assert_eq!(state, before),
+    let failure = faster.advance(&mut state, 10.0).unwrap_err();
+    assert!(matches!(failure.cause, Cause::StateTooFar { .. }), "{failure}");
+    assert_eq!(state, before);
+    assert_eq!(
+        turns(11.0 * TAU, faster.solve(10.0).unwrap().follower().angle, Delayed::default().solve(0.0).unwrap().follower().angle)[1].round(),
+        11.0
+    );
+}
+
+mechanism! {
+    /// A wheel without a loop, at a speed that is a parameter, and one whose angle jumps.
+    mechanism Wheels {
+        param speed: AngularVelocity = 60rpm;
+        body wheel  { }
+        body jumper { }
+        joint o = revolute(ground.position, wheel.position);
+        joint p = revolute(ground.position, jumper.position);
+        drive turning = drive_angle(wheel, speed * t);
+        drive jumping = drive_angle(jumper, if t < 1s { 0deg } else { 90deg });
     }
+}
+
+/// Without a loop there is nothing to be left behind.
+#[test]
+fn angles_without_a_loop_may_jump() {
+    let wheels = Wheels::default();
+    let state = wheels.solve(100.0).unwrap();
+    assert_eq!(state.jumper().angle, TAU / 4.0);
+    let (mut changed, faster) = (state.clone(), Wheels { speed: 1.1 * TAU });
+    faster.advance(&mut changed, 100.0).unwrap();
+    assert_eq!(changed.wheel().angle, 1.1 * TAU * 100.0);
+    let far = Wheels { speed: 1e6 };
+    assert_eq!(far.solve(1.0).unwrap().wheel().angle, 1e6);
 }

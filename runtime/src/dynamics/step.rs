@@ -85,36 +85,26 @@ where
     is_regular(mechanism, t, reached)?;
     let mut next = State::new(t, q, qd, from.qdd);
     refresh(mechanism, &mut next)?;
-    if !drives_are_foreseen::<T, S, N, I, M, R>(from, &next, h) {
+    if M > 0 && turns_unseen::<T, S, N, I, M, R>(from, &next, h) {
         return Err(too_short(mechanism, &next));
     }
     Ok(next)
 }
 
-/// Largest distance of an angle that a drive determines from its prediction, in rad.
-const LARGEST_SURPRISE: f64 = 0.6;
-
-/// True if every angle that is computed instead of integrated is close to its prediction. A drive that turns by a whole turn within a step would
-/// leave loops behind, which are closed after it as well as before.
+/// True if an angle that is computed instead of integrated has turned by half a turn more than its rates and accelerations at both ends tell. A
+/// drive that turns by a whole turn within a step would leave loops behind, which are closed after it as well as before.
 #[inline(always)]
-fn drives_are_foreseen<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
-    from: &State<T, N>,
-    to: &State<T, N>,
-    h: T,
-) -> bool
+fn turns_unseen<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(from: &State<T, N>, to: &State<T, N>, h: T) -> bool
 where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     let computed = const { computed_angles::<N, I>(S::COORDINATES, &S::INTEGRATED) };
-    // Without equations between integrated coordinates there is no loop.
-    if M == 0 {
-        return true;
-    }
-    let half = T::of(0.5);
-    (0..N).filter(|&i| computed[i]).all(|i| {
-        let predicted = from.q[i] + h * (from.qd[i] + half * h * from.qdd[i]);
-        (to.q[i] - predicted).abs() <= T::of(LARGEST_SURPRISE)
+    let (half, twelfth) = (T::of(0.5), T::of(1.0 / 12.0));
+    (0..N).filter(|&i| computed[i]).any(|i| {
+        // Exact for a polynomial of the fourth degree.
+        let told = half * h * (from.qd[i] + to.qd[i]) + twelfth * h * h * (from.qdd[i] - to.qdd[i]);
+        (to.q[i] - from.q[i] - told).abs() > T::of(core::f64::consts::PI)
     })
 }
 

@@ -59,8 +59,10 @@ where
             if let Some(step) = self.step.as_ref().filter(|step| step.contains(t)) {
                 let tolerance = (self.integrator.tolerance, self.integrator.fastest);
                 let found = step.at(self.mechanism, self.reached.as_ref().map(|reached| &reached.pivots), t, tolerance);
-                if found.is_ok() || is_short {
-                    return found;
+                match found {
+                    Err(Stopped::NotFinite { .. }) | Ok(_) => return found,
+                    Err(_) if is_short => return found,
+                    Err(_) => {}
                 }
                 // Something moves within the step and is at rest at its ends: the steps to this time begin where it began.
                 *state = step.beginning();

@@ -19,8 +19,15 @@ use crate::number::Float;
 use crate::solve::{ColdSolver, Followed, Stages};
 use crate::state::State;
 
-/// Largest number of steps from the defaults to the parameters, accepted or not: enough for ten thousand turns of a drive.
+/// Largest number of steps from the defaults to the parameters, accepted or not, for a mechanism of a few coordinates: enough for ten thousand turns
+/// of a drive. It decreases with the number of coordinates.
 const MOST_STEPS: usize = 1_000_000;
+
+/// With this many coordinates the limit is about a tenth.
+const MANY: usize = 90;
+
+/// A step in which no angle is predicted to turn by more than this (rad) is not limited by turns.
+const SHORT_TURN: f64 = 0.1;
 
 /// Largest distance between solution and prediction: of a length, as a fraction of the predicted change plus L; of an angle, in
 /// rad.
@@ -56,7 +63,8 @@ pub(crate) fn assemble<T: Float, E: Stages<T, N>, const N: usize>(equations: &E)
         Ok((_, Some(cause))) => return Err(alone(cause)),
         Err(Unfinished::BranchEnds(lambda, here)) => (lambda, here),
         // An assembly near the last state may have turned less often than its drive.
-        Err(Unfinished::TooFar) => return Err(alone(Cause::TooManySteps { steps: MOST_STEPS })),
+        Err(Unfinished::TooFar) if E::ITERATED.is_empty() => return near(&start).map_err(alone),
+        Err(Unfinished::TooFar) => return Err(alone(Cause::TooManySteps { steps: const { most_steps(N) } })),
     };
     let first = match near(&here.q) {
         Ok(state) if state.branch == origin.branch => return Ok(state),
@@ -119,7 +127,7 @@ fn follow<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, origin: &Sta
     let (mut here, mut reached, mut step) = (origin.clone(), zero, one);
     // dq/dλ, from the last step.
     let mut slope = SVector::from_element(zero);
-    for _ in 0..MOST_STEPS {
+    for _ in 0..const { most_steps(N) } {
         let next = if reached + step < one { reached + step } else { one };
         let between = if next < one { equations.interpolated(next) } else { None };
         let by = next - reached;
@@ -133,11 +141,22 @@ fn follow<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, origin: &Sta
             Err(_) => step = T::of(0.5) * by,
         }
         // Rounding errors of the parameters move a fold by about this much; those of the defaults are smaller than any step.
-        if step < T::ROOT_EPSILON * reached + T::EPSILON * T::EPSILON {
+        if step < T::ROOT_EPSILON * reached + T::EPSILON * T::EPSILON && !turns(equations, &slope, step) {
             return Err(Unfinished::BranchEnds(reached, here));
         }
     }
     Err(Unfinished::TooFar)
+}
+
+/// Largest number of steps for this number of coordinates.
+const fn most_steps(coordinates: usize) -> usize {
+    MOST_STEPS / (1 + 10 * coordinates / MANY)
+}
+
+/// Whether an angle is predicted to turn in a step, so that the step is short because the way is long.
+fn turns<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, slope: &SVector<T, N>, step: T) -> bool {
+    let coordinates = Followed::new(&equations).coordinates;
+    (0..N).any(|i| names::coordinate(coordinates, i).kind == CoordinateKind::Angle && (slope[i] * step).abs() > T::of(SHORT_TURN))
 }
 
 /// One step from `here` to other parameters, with the predicted change `slope` times `by`.

@@ -60,25 +60,10 @@ pub(crate) fn is_same_branch<T: Float, const N: usize>(mechanism: &Followed<'_, 
     is_resolved([links, computed_angles], from, to.q, h) && comes_from(length, (iterated, coordinates), from, h, to, condition)
 }
 
-/// Whether no other assembly can lie between two states, so little does every iterated coordinate change.
-pub(super) fn is_close<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &State<T, N>, there: &State<T, N>) -> bool {
-    let Followed { iterated, coordinates, computed_angles, .. } = *mechanism;
-    let length = length_of(mechanism.length);
-    let condition = here.condition.max(there.condition);
-    let nearest = T::of(LARGEST_LAPSE) / condition + T::of(ROUNDINGS) * T::EPSILON * condition;
-    let way = |i: usize| there.q.get(i).zip(here.q.get(i)).map_or(T::of(0.0), |(&to, &from)| (to - from).abs());
-    let is_short = |&i: &usize| {
-        let is_length = names::coordinate(coordinates, i).kind == CoordinateKind::Length;
-        let size = if is_length { length.max(here.q.get(i).map_or(T::of(0.0), |q| q.abs())) } else { T::of(1.0) };
-        way(i) <= nearest * size
-    };
-    iterated.iter().all(is_short) && computed_angles.iter().all(|&i| way(i) <= T::of(LARGEST_SURPRISE))
-}
-
-/// Whether a computed angle has turned by more than half a turn.
+/// Whether a computed angle has turned by more than half a turn, so that unknowns to be iterated may be left behind.
 pub(super) fn turns_on<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &SVector<T, N>, there: &SVector<T, N>) -> bool {
     let way = |i: usize| there.get(i).zip(here.get(i)).map_or(T::of(0.0), |(&to, &from)| (to - from).abs());
-    mechanism.computed_angles.iter().any(|&i| way(i) > T::of(core::f64::consts::PI))
+    !mechanism.iterated.is_empty() && mechanism.computed_angles.iter().any(|&i| way(i) > T::of(core::f64::consts::PI))
 }
 
 /// Rounding errors of positions, as a multiple of ε times their condition.

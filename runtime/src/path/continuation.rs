@@ -7,7 +7,7 @@
 //! redundant equations hold; if computed angles are close to their predictions; and if binary links keep their sides. A rejected step
 //! is halved; after a success the step is doubled.
 
-use super::branch::{is_close, is_same_branch, keeps_sides, turns_on};
+use super::branch::{is_same_branch, keeps_sides, turns_on};
 use super::cold::cold_state;
 use super::crossing;
 use crate::names::{self, Cause, CoordinateKind, Culprit};
@@ -128,7 +128,7 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
                 refused = refused.or((next == t).then_some(cause));
                 Ok(refused.unwrap_or(cause))
             }
-            Ok((there, _)) if is_behind_peak(&waypoint, &here, &there) || strays(mechanism, &here, &there) => Err(StepError::Far),
+            Ok((there, _)) if is_behind_peak(&waypoint, &here, &there) => Err(StepError::Far),
             Ok((there, _)) if !is_same_branch(mechanism, &here, &there) && halves(mechanism, &mut step, next, &here, t - state.t) => {
                 continue;
             }
@@ -168,11 +168,6 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
         }
     }
     Err(Ended::TooManySteps { steps: most, here })
-}
-
-/// Whether a step leads to another branch, or so far that it cannot be told.
-fn strays<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &State<T, N>, there: &State<T, N>) -> bool {
-    !is_same_branch(mechanism, here, there) && !is_close(mechanism, here, there)
 }
 
 /// Whether a step leads away from a place that is so nearly singular that rounding would choose between the branches that cross there: their

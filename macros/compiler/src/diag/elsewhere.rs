@@ -8,7 +8,6 @@ const EQUIVALENTS: &[(&str, &str)] = &[
     ("lbft", "1lbf * 1ft"),
     ("ftlb", "1lbf * 1ft"),
     ("N_mm2", "1MPa"),
-    ("nm", "0.001um"),
     ("mil", "0.0254mm"),
     ("thou", "0.0254mm"),
     ("grad", "0.9deg"),

@@ -76,7 +76,7 @@ impl Fact {
     /// True for the kind or the dimension of an argument.
     pub(crate) fn is_about_an_argument(&self) -> bool {
         match self {
-            Fact::InInstance { fact, .. } => fact.is_about_an_argument(),
+            Fact::InInstance { fact, .. } | Fact::Noted { fact, .. } => fact.is_about_an_argument(),
             fact => matches!(fact, Fact::Value(ValueFact::WrongArgument { .. } | ValueFact::WrongArgumentDimension { .. })),
         }
     }

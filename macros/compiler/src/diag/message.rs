@@ -64,7 +64,8 @@ impl fmt::Display for Fact {
             Fact::Noted { fact, note: Note::DeclaredUnit { name, instead } } => {
                 write!(
                     f,
-                    "{fact}\nnote: `{name}` is declared in this mechanism, and so is no unit here\nhelp: a unit is one word: write `{instead}`"
+                    "{}\nnote: `{name}` is declared in this mechanism, so it is no unit here\nhelp: a unit is one word: write `{instead}`",
+                    without_help(fact)
                 )
             }
             Fact::Noted { fact, note: Note::Instead { written } } => write!(f, "{}\nhelp: write `{written}`", without_help(fact)),
@@ -85,7 +86,7 @@ impl fmt::Display for Fact {
                 let dim = |name: &str| quantities.iter().find(|(known, _)| known == name).map(|(_, dim)| *dim);
                 match (&**fact, [dim("a"), dim("b")]) {
                     (Fact::Value(ValueFact::Unlike { .. }), [Some(a), Some(b)]) if a != b && [a, b].contains(&Dim::LENGTH) => {
-                        write!(f, "\nhelp: give `a` and `b` alike: two numbers of teeth, or two radii")
+                        write!(f, "\nhelp: give `a` and `b` alike: two numbers, such as teeth, or two lengths")
                     }
                     _ => Ok(()),
                 }
@@ -151,20 +152,17 @@ impl fmt::Display for Doubt {
             }
             Doubt::InputByTime { input } => {
                 write!(f, "a change of `{input}` acts over all the time before it: `{input} * t` jumps")?;
-                write!(
-                    f,
-                    "\nhelp: equate a rate, `drive name = {{ rate(body.angle) == {input}; }}`, in a mechanism that is `#[integrated]`"
-                )
+                write!(f, "\nhelp: a commanded speed is a `param` of a mechanism that is `#[integrated]`: see the page on control loops")
             }
             Doubt::UnusualGravity { found } => {
-                write!(f, "the acceleration of free fall is {found} here, and 9.81 m/s² on earth\nhelp: write `9.81m_s2`")
+                write!(f, "the acceleration of free fall is {found} here, and 9.81 m/s² on Earth\nhelp: write `9.81m_s2`")
             }
             Doubt::WideInertia { body, radius, longest } => {
                 write!(f, "the inertia of `{body}` is that of its mass at a distance of {radius}, where no length exceeds {longest}")?;
                 write!(f, "\nhelp: a number without a unit is in kg m²; write `kgm2`, `kgcm2` or `kgmm2`")
             }
             Doubt::RodAcross { body, point, instead } => {
-                write!(f, "a rod lies along x, and `{point}` of `{body}` across it\nhelp: write `inertia = {instead};`")
+                write!(f, "a rod lies along x, but `{point}` of `{body}` lies across it\nhelp: write `inertia = {instead};`")
             }
             Doubt::PointCalledCenter { body } => {
                 write!(

@@ -136,7 +136,8 @@ impl Diag {
 
     /// Names the first doubt beside errors about lengths, of which it is likely the cause.
     pub(crate) fn explain(&mut self, doubts: &[Warning]) {
-        let Some(Warning { doubt, .. }) = doubts.first() else { return };
+        let is_of_size = |doubt: &&Warning| matches!(doubt.doubt, Doubt::BareLength { .. } | Doubt::BareAngle { .. });
+        let Some(Warning { doubt, .. }) = doubts.iter().find(is_of_size) else { return };
         for refusal in &mut self.refusals {
             if matches!(refusal.fact, Fact::Assembly(_) | Fact::System(SystemFact::CannotHold { .. })) {
                 refusal.fact = Fact::Doubtful { fact: Box::new(refusal.fact.clone()), doubt: Box::new(doubt.clone()) };
@@ -148,6 +149,7 @@ impl Diag {
     pub(crate) fn of_energy<T>(&mut self, known: usize) -> Option<T> {
         for refusal in &mut self.refusals[known..] {
             let fact = if let Fact::InInstance { fact, .. } = &mut refusal.fact { fact } else { &mut refusal.fact };
+            let fact = if let Fact::Noted { fact, .. } = fact { fact } else { fact };
             if let Fact::Value(ValueFact::WrongDimension { wanted: Dim::TORQUE, found }) = *fact {
                 *fact = ValueFact::NotAnEnergy { found }.into();
             }

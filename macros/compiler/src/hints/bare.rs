@@ -71,7 +71,10 @@ impl BareNumbers {
 
     /// Records the radius of gyration (m) of a body, whose inertia stands at `range`.
     pub(crate) fn note_gyration(&mut self, body: &str, radius: f64, range: Range) {
-        self.gyrations.push((body.to_owned(), radius, range));
+        // Instances of one item share it.
+        if self.gyrations.iter().all(|(_, _, known)| known.first.start() != range.first.start()) {
+            self.gyrations.push((body.to_owned(), radius, range));
+        }
     }
 
     /// Warnings about numbers that are out of proportion.

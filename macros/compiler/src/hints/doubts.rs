@@ -30,6 +30,10 @@ pub(crate) fn doubtful_expressions(tree: &Mechanism) -> Vec<Warning> {
             frequencies.insert(name);
         }
     }
+    // A parameter of a component may have the name of an input.
+    let is_parameter =
+        |name: &String| every_item(&tree.items).any(|item| matches!(item, Item::Parameter(parameter) if parameter.name == *name));
+    inputs.retain(|name| !is_parameter(name));
     let (names, mut found) = (Suspects { inputs, frequencies }, Vec::new());
     for item in every_item(&tree.items) {
         let at_top = written_in(item);

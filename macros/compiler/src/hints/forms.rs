@@ -109,9 +109,22 @@ pub(crate) fn bare_factor(value: &Expression) -> Option<String> {
     }
 }
 
-/// The factor beside `t` in a product.
+/// True for a number without a unit, or a list of some.
+pub(crate) fn is_bare(value: &Expression) -> bool {
+    match &value.kind {
+        ExpressionKind::Number { unit, .. } => unit.is_empty(),
+        ExpressionKind::Tuple(items) => items.iter().all(is_bare),
+        _ => false,
+    }
+}
+
+/// The number or the name beside `t` in a product.
 pub(crate) fn without_time(value: &Expression) -> Option<String> {
     let ExpressionKind::Binary(Operator::Mul, one, two) = &value.kind else { return None };
+    let is_simple = |side: &Expression| matches!(side.kind, ExpressionKind::Number { .. } | ExpressionKind::Path(_));
+    if !is_simple(one) || !is_simple(two) {
+        return None;
+    }
     let is_time = |side: &Expression| side.name().is_some_and(|name| name == "t");
     match (is_time(one), is_time(two)) {
         (false, true) => Some(one.to_string()),
@@ -133,7 +146,7 @@ pub(crate) fn noted(
     let fact = Box::new(Fact::from(fact));
     let (start, end) = (range.first.start(), range.last.end());
     if let Some((within, name, instead)) = declared
-        && start <= within.first.start()
+        && start == within.first.start()
         && within.last.end() <= end
     {
         return Fact::Noted { fact, note: Note::DeclaredUnit { name: name.clone(), instead: instead.clone() } };
@@ -157,7 +170,7 @@ pub(crate) fn with_bare_bounds(fact: ValueFact, default: &Expression, limits: Op
     }
 }
 
-/// Adds to the refusal of an equation of a rate and a product with `t` that the factor is too much: `arm.angular_velocity == 60rpm * t`.
+/// Adds to the refusal of an equation of a rate and a product with `t` that the factor `t` is superfluous: `arm.angular_velocity == 60rpm * t`.
 pub(crate) fn with_time_too_much(fact: Fact, sides: [&Expression; 2], dims: [Dim; 2]) -> Fact {
     let grown = |rate: usize, other: usize| dims[rate].times(Dim::TIME) == dims[other];
     let late = [(0, 1), (1, 0)].into_iter().find(|(rate, other)| grown(*rate, *other)).and_then(|(_, late)| without_time(sides[late]));

@@ -19,11 +19,16 @@ pub(crate) fn centered_rods(tree: &Mechanism) -> Vec<Warning> {
 fn point_called_center(item: &Item) -> Option<Warning> {
     let Item::Body(body) = item else { return None };
     let [mass, center] = ["mass", "center"].map(|word| body.masses.iter().any(|mass| mass.what == word));
-    let point = body.marks.single.iter().find(|mark| !mark.is_axis && mark.name == "center").filter(|_| mass && !center)?;
+    let point = body
+        .marks
+        .single
+        .iter()
+        .find(|mark| !mark.is_axis && mark.name == "center" && !is_zero(&mark.value))
+        .filter(|_| mass && !center)?;
     Some(Warning { doubt: Doubt::PointCalledCenter { body: body.name.to_string() }, range: (&point.name).into() })
 }
 
-/// A rod, which lies along x, in a body in space with a point at its length or at half of it along y or z.
+/// A rod, which lies along x, in a body in space with a point at its length along y or z.
 fn across(body: &FrameItem, inertia: &MassItem, length: &Expression) -> Option<Warning> {
     let along = |point: &Expression| match &point.kind {
         ExpressionKind::Tuple(parts) => match parts.as_slice() {

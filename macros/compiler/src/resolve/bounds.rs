@@ -5,8 +5,7 @@ use super::{Bounds, Parameter, Times};
 use crate::diag::ValueFact;
 use crate::expr::Expr;
 use crate::hints::in_words;
-use crate::names::Register;
-use crate::names::Scope;
+use crate::names::{Register, Scope};
 use crate::quantity::Dim;
 use crate::syntax::ast::{self, Limits};
 

@@ -1,12 +1,10 @@
 //! Checks a definition where it is written, with arguments of which only the kind is known.
 
-use super::Components;
 use super::Function as Numbered;
-use super::Name;
 use super::elaborate::Elaborator;
 use super::statement::ScalarEquation;
-use crate::diag::nearest;
-use crate::diag::{ArityFact, Diag, EquationFact, Known, NameFact, ValueFact};
+use super::{Components, Name};
+use crate::diag::{ArityFact, Diag, EquationFact, Known, NameFact, ValueFact, nearest};
 use crate::expr::{Expr, Leaf};
 use crate::library;
 use crate::names::{Fixed, FunctionValue, Names, RESERVED, Scalar, Scope, UNKNOWN_BODY, Value, wanted};

@@ -9,8 +9,7 @@ use super::elaborate::Elaborator;
 use super::{DeclaredForce, Energy, Force};
 use crate::diag::{EquationFact, MotionFact, ValueFact};
 use crate::expr::{Expr, Leaf};
-use crate::names::Register;
-use crate::names::{FrameId, Scope, Value};
+use crate::names::{FrameId, Register, Scope, Value};
 use crate::quantity::{Ambient, Dim};
 use crate::syntax::ast;
 

@@ -2,14 +2,11 @@
 
 use super::elaborate::Elaborator;
 use super::{Body, BodyCoordinate, Name, Requirement};
-use crate::diag::nearest;
-use crate::diag::{NameFact, Range, ValueFact};
+use crate::diag::{NameFact, Range, ValueFact, nearest};
 use crate::expr::{Expr, Leaf};
 use crate::geometry::{Components, JointQuantity, quaternion};
 use crate::model::{DECLARED, JointStart};
-use crate::names::FixedValue;
-use crate::names::Register;
-use crate::names::{Context, EntityId, Fixed, FrameId, FrameScope, Key, Scope, Value};
+use crate::names::{Context, EntityId, Fixed, FixedValue, FrameId, FrameScope, Key, Register, Scope, Value};
 use crate::quantity::{Ambient, Dim, InferredDim, Role};
 use crate::syntax::ast;
 use std::collections::BTreeSet;

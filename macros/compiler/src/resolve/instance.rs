@@ -292,7 +292,8 @@ impl Elaborator<'_> {
         let wanted = self.dimension(written)?;
         self.note_bare(argument, wanted);
         // A length by angle counts as a length, but the lead of a screw is not the way of one radian.
-        let is_by_angle = formal.name == "lead" && scalar.measure == InferredDim::Known(wanted.per(Dim::ANGLE));
+        let is_by_angle =
+            definition.name == "screw" && formal.name == "lead" && scalar.measure == InferredDim::Known(wanted.per(Dim::ANGLE));
         if is_by_angle || !scalar.measure.fits(wanted) {
             self.is_by_rates([argument, argument])?;
             let found = scalar.measure.settled();
@@ -390,7 +391,7 @@ impl Elaborator<'_> {
 
     /// True for a declared function, which is passed without its argument.
     fn names_function(&self, path: &ast::Path, scope: &Scope) -> bool {
-        path.name.is_some() && scope.space.is_some_and(|space| self.names.visible(space, &path.last.to_string()).is_some())
+        path.name.as_ref().is_some_and(|name| self.is_function(name, scope))
     }
 
     fn function_argument(&mut self, range: Range, function: FunctionValue, from: Dim, to: Dim) -> Option<FunctionValue> {

@@ -3,8 +3,7 @@
 use super::elaborate::Elaborator;
 use super::{Component, Field, Layout, Name, Of, Part};
 use crate::diag::ArrayFact;
-use crate::names::{EntityId, Key, Sort};
-use crate::names::{OpenPart, Register};
+use crate::names::{EntityId, Key, OpenPart, Register, Sort};
 use crate::syntax::ast::{self, Docs};
 use proc_macro2::Ident;
 use std::collections::BTreeMap;

@@ -11,6 +11,7 @@ use super::{Body, Mass};
 use crate::diag::{ArityFact, MotionFact, NameFact, Range, ValueFact, Wanted};
 use crate::expr::{Exact, Expr};
 use crate::geometry::turned_tensor;
+use crate::hints::is_bare;
 use crate::model::Solid;
 use crate::names::{Key, Scope, Value};
 use crate::quantity::{Ambient, Dim};
@@ -52,7 +53,8 @@ impl Elaborator<'_> {
             let range = frame.masses.iter().find(|written| written.what == word).map(|written| written.value.range);
             self.refuse::<()>(range.unwrap_or(Range::from(&frame.name)), fact);
         }
-        let range = frame.masses.iter().find(|written| written.what == "inertia").map(|written| written.value.range);
+        let range =
+            frame.masses.iter().find(|written| written.what == "inertia" && is_bare(&written.value)).map(|written| written.value.range);
         if let (Some(mass), Some(inertia), Some(range)) = (found.mass, &found.inertia, range) {
             let values = self.numbers(&self.defaults, &[&[mass][..], inertia].concat());
             let greatest = values[1..].iter().take(3).copied().fold(0.0, f64::max);

@@ -3,9 +3,8 @@
 //! Bodies, parameters, joints and outputs are numbered in the order of expansion, those of one part consecutively. Only whole numbers
 //! are evaluated here.
 
-use super::Name;
-use super::Of;
 use super::elaborate::Elaborator;
+use super::{Name, Of};
 use crate::diag::{ArrayFact, EquationFact, GrammarFact, NameFact};
 use crate::expr::Leaf;
 use crate::hints;

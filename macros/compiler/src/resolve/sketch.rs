@@ -5,8 +5,7 @@ use crate::diag::Range;
 use crate::expr::{Derivatives, Expr, Leaf};
 use crate::geometry::{Components, JointQuantity, Place, Triad};
 use crate::model::sketch::{Instantiation, JointArgument, LocalVector, MOST_DRAWN, NamedPoint, Sketch};
-use crate::names::Register;
-use crate::names::{Entity, EntityId, Fixed, FunctionValue, Scalar, Scope, Value};
+use crate::names::{Entity, EntityId, Fixed, FunctionValue, Register, Scalar, Scope, Value};
 use crate::quantity::{Ambient, InferredDim};
 
 impl Elaborator<'_> {

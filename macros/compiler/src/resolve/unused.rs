@@ -4,9 +4,7 @@
 //! A component with arguments that may be whole numbers is not checked: they may determine the number of items.
 
 use super::elaborate::Elaborator;
-use crate::names::Written;
-use crate::names::{Context, Entity, Key, Progress, Sort};
-use crate::names::{OpenPart, Register};
+use crate::names::{Context, Entity, Key, OpenPart, Progress, Register, Sort, Written};
 use crate::syntax::ast;
 use std::collections::BTreeSet;
 use std::rc::Rc;

@@ -2,12 +2,12 @@
 
 use super::elaborate::Elaborator;
 use super::{Layout, Method, Model, Name, Parameter};
-use crate::diag::nearest;
-use crate::diag::{Diag, NameFact, Range, ValueFact};
+use crate::diag::{Diag, NameFact, Range, ValueFact, nearest};
 use crate::hints::{self, in_words, with_bare_bounds};
-use crate::names::Register;
-use crate::names::{Context, Declared, Entity, EntityId, FunctionValue, Key, Names, PartArguments, Progress, Scalar, Scope, Value};
-use crate::names::{INPUT_PARTS, is_one_of_many};
+use crate::names::{
+    Context, Declared, Entity, EntityId, FunctionValue, INPUT_PARTS, Key, Names, PartArguments, Progress, Register, Scalar, Scope, Value,
+    is_one_of_many,
+};
 use crate::quantity::{self, Dim, InferredDim};
 use crate::syntax::ast::{self, Definition};
 use std::collections::{BTreeMap, BTreeSet};

@@ -328,12 +328,13 @@ fn choice(input: ParseStream, room: u16) -> Parsed<Expression> {
 /// Refuses `if (a < b) {`, as it is written in C.
 fn no_parentheses(input: ParseStream) -> Parsed<()> {
     let Some((inside, span, after)) = input.cursor().group(Delimiter::Parenthesis) else { return Ok(()) };
-    let is_condition = after.group(Delimiter::Brace).is_some();
+    let is_joined = after.punct().is_some_and(|(sign, _)| ['&', '|'].contains(&sign.as_char()));
+    let is_condition = after.group(Delimiter::Brace).is_some() || is_joined;
     let compares = |token: TokenTree| matches!(token, TokenTree::Punct(sign) if ['<', '>', '&', '|', '='].contains(&sign.as_char()));
     let joins = |token: &TokenTree| matches!(token, TokenTree::Punct(sign) if ['&', '|'].contains(&sign.as_char()));
     match is_condition && inside.token_stream().into_iter().any(compares) {
         false => Ok(()),
-        true if inside.token_stream().into_iter().any(|token| joins(&token)) => wrong(span.join(), GrammarFact::TwoConditions),
+        true if is_joined || inside.token_stream().into_iter().any(|token| joins(&token)) => wrong(span.join(), GrammarFact::TwoConditions),
         true => wrong(span.join(), GrammarFact::ConditionInParentheses),
     }
 }

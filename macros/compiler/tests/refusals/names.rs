@@ -1,8 +1,8 @@
 //! Undeclared names.
 
 crate::refusals! {
-    item the_center_of_a_body: "output b = crank.«center»;" => "`crank` has no `center` that expressions can read\nhelp: declare a point at the centre of mass; weight acts by `gravity = (0, -9.81m_s2);`";
-    item a_point_for_a_center: "body c { mass = 1kg; point P = (1m, 0m); center = «P»; }" => "`c.P` moves with its body, and what stands in a body is written in its own coordinates\nhelp: name the coordinates with `let c = (100mm, 0mm);`, and write `c` for both";
+    item the_center_of_a_body: "output b = crank.«center»;" => "`crank` has no `center` that expressions can read\nhelp: declare a point at the centre of mass; weight acts by `gravity = …;`";
+    item a_point_for_a_center: "body c { mass = 1kg; point P = (1m, 0m); center = «P»; }" => "`c.P` moves with its body, and what stands in a body is written in its own coordinates\nhelp: name the coordinates with `let c = (…);`, and write `c` for both";
     item an_angular_velocity_at_the_start: "body b { start «angular_velocity» = 3rad_s; }" => "a body does not start with `angular_velocity`: a velocity at the start is that of a freedom\nhelp: write `freedom name = body.angle from 0deg at 5rad_s;`";
     item a_center_by_a_marker: "body b { mass = 1kg; «cm» = (1m, 0m); }" => "`cm` is no item of a body\nhelp: did you mean `center`?";
     item micrometres: "let a = «300µm»;" => "no unit is called `µm`\nhelp: `1µm` is `1um`";

@@ -1,9 +1,10 @@
 //! Mistakes of grammar.
 
 crate::refusals! {
+    item two_conditions_each_in_parentheses: "output b = if «(t > 0s)» && (t < 1s) { 1 } else { 2 };" => "a choice has one condition\nhelp: choose twice, as in `if a < b { if c < d { x } else { y } } else { y }`";
     item a_number_before_parentheses: "let a = «2(»1mm + 2mm);" => "an operator is missing between `2` and `(`\nhelp: write `2 * (…)`";
     item bounds_in_parentheses: "param a: Length = «100mm (»50mm..150mm);" => "the bounds of a parameter stand behind `in`\nhelp: write `100mm in 50mm..=150mm`";
-    item an_output_in_a_unit: "output b = crank.x «in» mm;" => "outputs are in SI: no unit is chosen for them\nhelp: take `in mm` away, and multiply in Rust";
+    item an_output_in_a_unit: "output b = crank.x «in» mm;" => "values are in SI, and no unit is chosen for them\nhelp: take `in mm` away; outputs are converted in Rust";
     item an_absolute_value_in_bars: "output b = «|»crank.x|;" => "expected an expression, found `|`\nhelp: write `abs(x)`, or `norm(v)` of a vector";
     item a_rate_before_a_start_by_their_words: "freedom b = crank.angle at «30deg from 3rad_s»;" => "the value at t = 0 stands before the rate\nhelp: write `crank.angle from 30deg at 3rad_s`";
     item a_cotangent: "output b = «cot»(crank.angle);" => "no function is called `cot`\nhelp: write `1 / tan(x)`";

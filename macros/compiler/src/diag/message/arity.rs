@@ -65,7 +65,7 @@ impl Display for ArityFact {
                     (2, "atan2") => write!(f, "\nnote: `atan2(y, x)`"),
                     (3, "rise" | "fall") => write!(f, "\nnote: `{name}(height, duration, law)`, with a law such as `cycloidal`"),
                     (1, "norm" | "unit" | "perp" | "direction") => {
-                        write!(f, "\nhelp: a vector is written `(x, y)`, as in `{name}((x, y))`")
+                        write!(f, "\nhelp: a vector has parentheses of its own, as in `{name}((…))`")
                     }
                     (1, "dwell") => write!(f, "\nnote: `dwell(duration)`"),
                     (2, _) => write!(f, "\nnote: `{name}(a, b)`"),

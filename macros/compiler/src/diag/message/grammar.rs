@@ -215,7 +215,7 @@ impl Display for GrammarFact {
                 write!(f, "an operator is missing between `{number}` and `(`\nhelp: write `{number} * (…)`")
             }
             GrammarFact::OutputInUnit { unit } => {
-                write!(f, "outputs are in SI: no unit is chosen for them\nhelp: take `in {unit}` away, and multiply in Rust")
+                write!(f, "values are in SI, and no unit is chosen for them\nhelp: take `in {unit}` away; outputs are converted in Rust")
             }
             GrammarFact::ConditionInParentheses => {
                 write!(f, "a condition has no parentheses\nhelp: write `if a < b {{ x }} else {{ y }}`")

@@ -29,7 +29,7 @@ impl Display for NameFact {
             }
             NameFact::PointInBody { name } => {
                 write!(f, "`{name}` moves with its body, and what stands in a body is written in its own coordinates")?;
-                write!(f, "\nhelp: name the coordinates with `let c = (100mm, 0mm);`, and write `c` for both")
+                write!(f, "\nhelp: name the coordinates with `let c = (…);`, and write `c` for both")
             }
             NameFact::OutputRead { name } => {
                 write!(f, "`{name}` is an output: it is read from Rust, not in the declaration")?;
@@ -66,10 +66,12 @@ impl Display for NameFact {
                     "{owner} has no `{name}`\nhelp: an output is given with its rate and its acceleration; equations and forces contain none"
                 )
             }
-            NameFact::UnknownField { owner, name, .. } if name == "center" || name == "mass" || name == "inertia" => {
+            NameFact::UnknownField { owner, name, near, .. }
+                if ["center", "mass", "inertia"].contains(&name.as_str()) && near.as_ref().is_none_or(|near| near == "position") =>
+            {
                 write!(f, "{owner} has no `{name}` that expressions can read")?;
                 match name.as_str() {
-                    "center" => write!(f, "\nhelp: declare a point at the centre of mass; weight acts by `gravity = (0, -9.81m_s2);`"),
+                    "center" => write!(f, "\nhelp: declare a point at the centre of mass; weight acts by `gravity = …;`"),
                     _ => write!(f, "\nhelp: name its value with `let`, for the body and for this"),
                 }
             }
@@ -192,9 +194,10 @@ impl Display for NameFact {
                 }
                 Ok(())
             }
-            NameFact::UnknownStart { name, .. } if is_velocity(name) => {
+            NameFact::UnknownStart { name, in_space, .. } if is_velocity(name) => {
+                let owner = if *in_space { "hinge" } else { "body" };
                 write!(f, "a body does not start with `{name}`: a velocity at the start is that of a freedom")?;
-                write!(f, "\nhelp: write `freedom name = body.angle from 0deg at 5rad_s;`")
+                write!(f, "\nhelp: write `freedom name = {owner}.angle from 0deg at 5rad_s;`")
             }
             NameFact::UnknownStart { name, near, in_space } => {
                 let words = if *in_space { "`x`, `y`, `z`, `position` or `orientation`" } else { "`x`, `y`, `position` or `angle`" };

@@ -48,7 +48,7 @@ impl Display for ValueFact {
             }
             ValueFact::WrongArgumentDimension { parameter, definition, wanted, found } => {
                 write!(f, "`{parameter}` of `{definition}` is {wanted}, found {found}")?;
-                if parameter == "lead" && found.times(Dim::ANGLE) == *wanted {
+                if definition == "screw" && parameter == "lead" && found.times(Dim::ANGLE) == *wanted {
                     return write!(f, "\nhelp: the lead is the way of one turn: write `lead: 5mm`");
                 }
                 if found.times(Dim::TIME) == *wanted && [Dim::ANGLE, Dim::LENGTH].contains(wanted) {
@@ -86,7 +86,10 @@ impl Display for ValueFact {
                     [x, y, angle] if angle.ends_with("deg") || angle.ends_with("rad") => {
                         write!(f, "\nhelp: write `start position = ({x}, {y}); start angle = {angle};`")
                     }
-                    _ => write!(f, "\nhelp: for a mechanism in space write `mechanism Name in space {{ … }}`"),
+                    _ => {
+                        write!(f, "\nhelp: an angle is written `start angle = …;`")?;
+                        write!(f, "; for a mechanism in space write `mechanism Name in space {{ … }}`")
+                    }
                 }
             }
             ValueFact::BareGains { action, one, two, numbers: [first, second] } => {
@@ -371,7 +374,8 @@ fn mistyped(f: &mut Formatter, typed: Option<&Typed>) -> Result {
 fn not_a_start(f: &mut Formatter, written: &str, body: Option<&str>, ambient: Ambient) -> Result {
     if written.rsplit('.').next().is_some_and(is_velocity) {
         write!(f, "a velocity at the start is that of a freedom")?;
-        return write!(f, "\nhelp: write `freedom name = body.angle from 0deg at 5rad_s;`");
+        let owner = if ambient == Ambient::Space { "hinge" } else { "body" };
+        return write!(f, "\nhelp: write `freedom name = {owner}.angle from 0deg at 5rad_s;`");
     }
     let what = written.rsplit('.').next().filter(|word| ambient.start_words().any(|known| known == *word));
     let owner = body.unwrap_or("b");
