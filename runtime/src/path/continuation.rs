@@ -128,7 +128,9 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
                 refused = refused.or((next == t).then_some(cause));
                 Ok(refused.unwrap_or(cause))
             }
-            Ok((there, _)) if is_behind_peak(&waypoint, &here, &there) => Err(StepError::Far),
+            Ok((there, _)) if is_behind_peak(&waypoint, &here, &there) || !is_solved && turns_on(mechanism, &here.q, &there.q) => {
+                Err(StepError::Far)
+            }
             Ok((there, _)) if !is_same_branch(mechanism, &here, &there) && halves(mechanism, &mut step, next, &here, t - state.t) => {
                 continue;
             }
