@@ -45,7 +45,8 @@ codes! {
     E0001: Grammar::Syntax Grammar::Expected Grammar::ArgumentByEquals Grammar::Unnamed Motion::EquationWithoutBraces Motion::RateBeforeStart
         Motion::PlaceWithoutAt Motion::StartWithEquals Motion::FreedomWithoutName Motion::DriveWithoutName Grammar::OneEqualsSign
         Grammar::HashComment Grammar::CommaAtEnd Grammar::DecimalComma Grammar::OutputWithoutName Grammar::OutputWithDimension
-        Grammar::TwoConditions Grammar::ConditionInParentheses Grammar::NumberBeforeParentheses Grammar::OutputInUnit Grammar::ArrayOfDimension Grammar::ComparisonOutside Grammar::ForceBeforePlace Grammar::StraySemicolon Grammar::Return;
+        Grammar::TwoConditions Grammar::ConditionInParentheses Grammar::NumberBeforeParentheses Grammar::OutputInUnit Grammar::ArrayOfDimension
+        Grammar::ComparisonOutside Grammar::ForceBeforePlace Grammar::StraySemicolon Grammar::Return Grammar::Misspelt;
     E0002: Grammar::NotANumber;
     E0003: Grammar::TooDeep Grammar::TooLong Grammar::LongChain Grammar::PartsTooDeep;
     E0004: Grammar::Keyword;

@@ -161,8 +161,8 @@ const SYNONYMS: [(&str, &[&str]); 102] = [
 
 /// Dimensions with their usual names.
 const USUAL: [(&str, &[&str]); 9] = [
-    ("Angle", &["theta", "phi", "psi", "alpha", "beta", "gamma", "angle"]),
-    ("AngularVelocity", &["omega", "w", "rpm"]),
+    ("Angle", &["theta", "phi", "psi", "alpha", "beta", "gamma", "angle", "θ", "φ", "ψ", "α", "β", "γ"]),
+    ("AngularVelocity", &["omega", "w", "rpm", "ω"]),
     ("Length", &["l", "length", "r", "radius", "width", "height", "stroke", "pitch", "offset", "distance"]),
     ("Mass", &["m", "mass"]),
     ("Stiffness", &["k", "stiffness"]),

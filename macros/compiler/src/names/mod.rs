@@ -185,6 +185,11 @@ impl Sort {
         matches!(self, Sort::Parameter | Sort::Input | Sort::Let | Sort::Function | Sort::Argument)
     }
 
+    /// True if such an item can stand for a number.
+    pub(crate) fn may_be_number(self) -> bool {
+        matches!(self, Sort::Parameter | Sort::Input | Sort::Let | Sort::Freedom | Sort::Argument)
+    }
+
     /// True if components see such items of the mechanism around them: no body belongs to them.
     pub(crate) fn is_seen_from_components(self) -> bool {
         matches!(self, Sort::Parameter | Sort::Input | Sort::Let | Sort::Function)

@@ -1,6 +1,6 @@
 //! Where an expression stands: the names that it sees, and the definition that it belongs to.
 
-use super::{Context, SpaceId, Value};
+use super::{Context, FrameId, SpaceId, Value};
 use crate::diag::Range;
 use crate::quantity::Dim;
 use proc_macro2::Ident;
@@ -14,6 +14,8 @@ pub(crate) struct Scope {
     pub(crate) space: Option<SpaceId>,
     /// Where `t` is not allowed, if it is not allowed here.
     pub(crate) timeless: Option<Timeless>,
+    /// Body in which the expression stands: its own points and axes stand for their coordinates in it.
+    pub(crate) body: Option<FrameId>,
 }
 
 /// A place where `t` is not allowed.
@@ -39,6 +41,12 @@ impl Scope {
     /// The same scope without `t`.
     pub(crate) fn timeless(mut self, place: &'static str) -> Scope {
         self.timeless = Some(Timeless::Place(place));
+        self
+    }
+
+    /// The same scope inside a body.
+    pub(crate) fn within(mut self, body: FrameId) -> Scope {
+        self.body = Some(body);
         self
     }
 

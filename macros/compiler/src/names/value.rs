@@ -83,6 +83,16 @@ pub(crate) enum Value {
 }
 
 impl Value {
+    /// The same inside a body: its own points and axes are their coordinates there.
+    pub(crate) fn inside(self, body: Option<FrameId>) -> Value {
+        match self {
+            Value::Point(own) | Value::Axis(own) if body == Some(own.frame) => {
+                Value::Vector(Vector { parts: own.local, measure: own.measure })
+            }
+            other => other,
+        }
+    }
+
     /// True if sums and products can be formed of the value.
     pub(crate) fn is_combinable(&self) -> bool {
         matches!(self, Value::Scalar(_)) || self.is_vector()

@@ -144,7 +144,7 @@ impl Elaborator<'_> {
         self.depth += 1;
         let value = self.value_of(expr, scope);
         self.depth -= 1;
-        value
+        value.map(|value| value.inside(scope.body))
     }
 
     /// Reports that a limit is exceeded, and suppresses all errors after it.
@@ -316,7 +316,13 @@ impl Elaborator<'_> {
             if name == "t" {
                 return self.time(path.range, scope);
             }
-            if let Some(group) = self.names.visible(space, &name.to_string()) {
+            let outer = self.names.visible(space, &name.to_string());
+            let is_number = outer.is_some_and(|group| self.names.group(group).sort.may_be_number());
+            let own = scope.body.filter(|_| !is_number).map(|body| self.names.frames[body.0].space);
+            if let Some((own, group)) = own.and_then(|own| Some((own, self.names.find(own, &name.to_string())?))) {
+                return self.visible(path.range, group, own);
+            }
+            if let Some(group) = outer {
                 self.input_may_stand(group, path.range, scope)?;
                 return self.visible(path.range, group, space);
             }
@@ -329,9 +335,10 @@ impl Elaborator<'_> {
         if scope.space.is_some_and(|space| self.names.outputs.contains(&(space, name.to_string()))) {
             return self.refuse(path.range, NameFact::OutputRead { name: name.to_string() });
         }
-        let is_in_body = matches!(scope.timeless, Some(Timeless::Place("the mass of a body" | "a point or an axis")));
-        if is_in_body && let Some(point) = self.names.mark_called(name) {
-            return self.refuse(path.range, NameFact::PointInBody { name: point });
+        if scope.body.is_some()
+            && let Some(name) = self.names.mark_called(name)
+        {
+            return self.refuse(path.range, NameFact::PointInBody { name });
         }
         let near = self.similar(name, scope);
         if near.is_none() && quantity::unit(&name.to_string()).is_some() {

@@ -30,7 +30,7 @@ impl Elaborator<'_> {
 
     /// Resolves a point or an axis of a frame.
     pub(super) fn fixed(&mut self, frame: FrameId, mark: &ast::Shared<ast::Feature>, context: &Context) -> Option<Value> {
-        let scope = Scope::of(context).timeless("a point or an axis");
+        let scope = Scope::of(context).timeless("a point or an axis").within(frame);
         let vector = if mark.is_axis { self.vector(&mark.value, &scope)? } else { self.location(&mark.value, &scope)? };
         let local = vector.parts;
         if !local.iter().all(|part| self.arena.is_fixed(*part)) {
@@ -98,7 +98,10 @@ impl Elaborator<'_> {
     /// Resolves all bodies with their coordinates and start values.
     pub(super) fn bodies(&mut self, register: &Register) -> Vec<Body> {
         let body = |(id, frame): &(EntityId, ast::Shared<ast::FrameItem>)| {
-            self.resolved(*id, frame, |this, name, context| Some(this.body(frame, name, context)))
+            self.resolved(*id, frame, |this, name, context| {
+                let own = this.entity(*id, (&frame.name).into())?.frame()?;
+                Some(this.body(frame, own, name, context))
+            })
         };
         let mut bodies: Vec<Body> = register.bodies.iter().filter_map(body).collect();
         let mut next = 0;
@@ -116,7 +119,7 @@ impl Elaborator<'_> {
         bodies
     }
 
-    fn body(&mut self, frame: &ast::Shared<ast::FrameItem>, name: &Name, context: &Context) -> Body {
+    fn body(&mut self, frame: &ast::Shared<ast::FrameItem>, own: FrameId, name: &Name, context: &Context) -> Body {
         let ambient = self.names.ambient;
         let mut starts: Vec<Option<Expr>> = vec![None; ambient.coordinates().len()];
         let scope = Scope::of(context).timeless("a start value");
@@ -156,7 +159,7 @@ impl Elaborator<'_> {
             }
         }
         let coordinates = ambient.coordinates().iter().zip(starts).map(|(role, start)| BodyCoordinate { role: *role, start }).collect();
-        let masses = self.mass(frame, &Scope::of(context).timeless("the mass of a body"));
+        let masses = self.mass(frame, &Scope::of(context).timeless("the mass of a body").within(own));
         Body { name: name.clone(), first: 0, coordinates, masses }
     }
 

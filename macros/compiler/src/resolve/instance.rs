@@ -84,7 +84,7 @@ impl Elaborator<'_> {
     pub(super) fn bind_joint(&mut self, joint: &ast::JointItem, context: &Context) -> Option<Vec<(String, Value)>> {
         let JointBody::Of { kind, arguments } = &joint.body else { return Some(Vec::new()) };
         let definition = self.definition(kind)?;
-        self.is_of_its_word(joint, kind, &definition)?;
+        self.is_of_its_word(joint, context.space, kind, &definition)?;
         let scope = self.joint_scope(joint, context);
         self.bind(&definition, kind, arguments, &scope)
     }

@@ -113,9 +113,9 @@ impl Elaborator<'_> {
                     Of::Part(_) => Sort::Part,
                     Of::Output => Sort::Output,
                 };
-                let range = declared.word.clone();
+                let (range, is_alone) = (declared.word.clone(), field.members.len() == 1);
                 self.unless_refused(Key::Array(first.0), |this| {
-                    this.refuse::<()>(&range, ArrayFact::MissingIndex { what: sort.noun(), missing, known })
+                    this.refuse::<()>(&range, ArrayFact::MissingIndex { what: sort.noun(), missing, known, is_alone })
                 });
                 break;
             }

@@ -7,15 +7,17 @@ use super::statement::ScalarEquation;
 use crate::diag::{EquationFact, JerkObstacle, JointValue, MotionFact, ValueFact, Word};
 use crate::hints::{by_time, cross_product, is_zero, unit_in_parts};
 use crate::library;
-use crate::names::{Declared, FrameId, Progress, Register, Scope, Value};
+use crate::names::{Declared, FrameId, Progress, Register, Scope, Sort, SpaceId, Value};
 use crate::quantity::{self, Ambient, Dim};
 use crate::syntax::ast::{self, Definition, ExpressionKind, Formal, FormalKind, JointItem, Statement, Task};
 use proc_macro2::Ident;
 
 impl Elaborator<'_> {
     /// Word with which an item is declared.
-    fn word_of(&self, joint: &JointItem) -> Word {
-        match (self.applied.is_some(), joint.is_drive) {
+    fn word_of(&self, joint: &JointItem, space: SpaceId) -> Word {
+        let group = self.names.find(space, &joint.name.to_string());
+        let is_force = group.is_some_and(|group| self.names.group(group).sort == Sort::Force);
+        match (is_force, joint.is_drive) {
             (true, _) => Word::Force,
             (false, true) => Word::Drive,
             (false, false) => Word::Joint,
@@ -23,9 +25,9 @@ impl Elaborator<'_> {
     }
 
     /// Refuses a force that is declared as a joint or a drive, a joint without numbers as a drive, and a joint or a drive as a force.
-    pub(super) fn is_of_its_word(&mut self, joint: &JointItem, kind: &Ident, definition: &Definition) -> Option<()> {
+    pub(super) fn is_of_its_word(&mut self, joint: &JointItem, space: SpaceId, kind: &Ident, definition: &Definition) -> Option<()> {
         let applies = definition.statements.iter().any(|statement| matches!(statement, Statement::Apply(_)));
-        let (word, name, constraint) = (self.word_of(joint), joint.name.to_string(), kind.to_string());
+        let (word, name, constraint) = (self.word_of(joint, space), joint.name.to_string(), kind.to_string());
         match (word, applies) {
             (Word::Force, false) => {
                 let is_drive = constraint.starts_with("drive_");
@@ -45,7 +47,7 @@ impl Elaborator<'_> {
     /// Refuses a value where a call or equations are wanted, with a line that uses it.
     pub(super) fn value_alone(&mut self, joint: &JointItem, written: &ast::Expression, scope: &Scope) -> Option<Vec<ScalarEquation>> {
         let (found, value, name) = (self.value(written, scope)?, written.to_string(), &joint.name);
-        let word = self.word_of(joint);
+        let word = self.word_of(joint, scope.space.unwrap_or(SpaceId::MECHANISM));
         let dim = match &found {
             Value::Scalar(scalar) => scalar.measure.settled(),
             _ => Dim::NUMBER,
@@ -137,7 +139,7 @@ impl Elaborator<'_> {
         let (text, names) = unit_in_parts(written)?;
         let is_known = |name: &&Ident| {
             let declared = scope.space.and_then(|space| self.names.visible(space, &name.to_string()));
-            declared.is_some() || scope.value_of(name).is_some()
+            declared.is_some_and(|group| self.names.group(group).sort.may_be_number()) || scope.value_of(name).is_some()
         };
         let unit = text.trim_start_matches(|letter: char| letter.is_ascii_digit() || ['-', '.'].contains(&letter));
         if names.is_empty() || quantity::unit(unit).is_none() {

@@ -88,8 +88,14 @@ fn product(input: ParseStream, room: u16) -> Parsed<Expression> {
             input.parse::<Token![/]>()?;
             Operator::Div
         } else if input.peek(Token![%]) {
-            input.parse::<Token![%]>()?;
+            let sign = input.parse::<Token![%]>()?.span;
+            if let (true, ExpressionKind::Number { digits, .. }) = (is_end(input), &left.kind) {
+                let instead = (digits.parse::<f64>().unwrap_or(0.0) / 100.0).to_string();
+                return wrong(left.range.to(sign), GrammarFact::Misspelt { flaw: "`%` is the rest of a division", instead });
+            }
             Operator::Rem
+        } else if input.peek(Token![as]) {
+            return wrong(input.span(), GrammarFact::Misspelt { flaw: "all numbers are real ones", instead: left.to_string() });
         } else {
             return Ok(left);
         };
@@ -123,6 +129,14 @@ fn power(input: ParseStream, room: u16) -> Parsed<Expression> {
     }
     let caret = input.parse::<Token![^]>()?.spans[0];
     let exponent = sign(input, deeper(room, caret.into())?)?;
+    if let (true, ExpressionKind::Number { digits, .. }, ExpressionKind::Number { digits: power, unit }) =
+        (is_literal, &base.kind, &exponent.kind)
+        && digits == "10"
+        && !unit.is_empty()
+    {
+        let flaw = "a unit belongs to the number before it, here to the exponent";
+        return wrong(base.range.to(exponent.range), GrammarFact::Misspelt { flaw, instead: format!("1e{power}{unit}") });
+    }
     binary(Operator::Power, base, exponent)
 }
 
@@ -231,19 +245,20 @@ fn number(input: ParseStream) -> Parsed<Expression> {
 /// True if a word follows that ends the expression: after a number it can only be meant as a unit.
 fn is_unit(input: ParseStream) -> bool {
     let ahead = input.fork();
-    let is_end = |ahead: ParseStream| {
-        ahead.is_empty()
-            || ahead.peek(Token![;])
-            || ahead.peek(Token![,])
-            || ahead.peek(Token![+])
-            || ahead.peek(Token![-])
-            || ahead.peek(Token![*])
-            || ahead.peek(Token![/])
-            || ahead.peek(Token![%])
-            || ahead.peek(Token![..])
-    };
     // `a - 30deg from -5deg`, `from 0 at -3rad_s`
-    ahead.parse::<Ident>().is_ok_and(|word| word != "at" && word != "from") && is_end(&ahead)
+    ahead.parse::<Ident>().is_ok_and(|word| word != "at" && word != "from") && (is_end(&ahead) || ahead.peek(Token![-]))
+}
+
+/// True where no number can follow.
+fn is_end(input: ParseStream) -> bool {
+    input.is_empty()
+        || input.peek(Token![;])
+        || input.peek(Token![,])
+        || input.peek(Token![+])
+        || input.peek(Token![*])
+        || input.peek(Token![/])
+        || input.peek(Token![%])
+        || input.peek(Token![..])
 }
 
 fn literal_kind(literal: &Lit) -> &'static str {
@@ -285,6 +300,12 @@ fn call(input: ParseStream, path: Path, room: u16) -> Parsed<Expression> {
 fn list(content: ParseStream, room: u16) -> Parsed<Vec<Expression>> {
     let mut items = Vec::new();
     while !content.is_empty() {
+        if content.peek(Ident) && content.peek2(Token![:]) && !content.peek2(Token![::]) {
+            let name = name(content, "a name")?;
+            content.parse::<Token![:]>()?;
+            let instead = sum(content, room)?.to_string();
+            return wrong(&name, GrammarFact::Misspelt { flaw: "values in parentheses have no names here", instead });
+        }
         items.push(sum(content, room)?);
         if content.is_empty() {
             break;

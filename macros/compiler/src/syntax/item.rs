@@ -335,6 +335,12 @@ fn limits(input: ParseStream) -> Parsed<Limits> {
     } else if input.peek(Token![..]) {
         range = range.to(input.parse::<Token![..]>()?.spans[1]);
     } else {
+        if let Some(Expression { kind: ExpressionKind::List(ends), range, .. }) = &from
+            && let [least, greatest] = ends.as_slice()
+        {
+            let instead = format!("in {least}..={greatest}");
+            return wrong(*range, GrammarFact::Misspelt { flaw: "bounds stand on both sides of `..=`", instead });
+        }
         return expected(input, "`..` or `..=` and the greatest value");
     }
     let is_open = input.peek(Token![;]);

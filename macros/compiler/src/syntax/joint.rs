@@ -70,6 +70,11 @@ pub(super) fn freedom(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
         input.parse::<Token![=]>()?;
         return wrong(sign, MotionFact::StartWithEquals { value: value.to_string(), start: expression(input)?.to_string() });
     }
+    if input.peek(Token![,]) {
+        let comma = input.parse::<Token![,]>()?.spans[0];
+        let instead = format!("{value} from {}", expression(input)?);
+        return wrong(comma, GrammarFact::Misspelt { flaw: "the value at t = 0 stands behind `from`", instead });
+    }
     let clause = |word: &str| -> Parsed<Option<Expression>> {
         if keyword(input).is_none_or(|found| found != word) {
             return Ok(None);

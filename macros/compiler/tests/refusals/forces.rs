@@ -1,6 +1,8 @@
 //! Forces, drives and freedoms written as items of another kind.
 
 crate::refusals! {
+    item a_force_called_force: "force push = «force»(crank.A, (0N, 5N));" => "no force is called `force`\nhelp: write where it acts, `{ at P: (0N, -5N); }` for a force at a point, `{ on b: 5Nm; }` for a torque on a body";
+    mechanism a_unit_called_like_a_force: "mechanism M { body arm { mass = 1kg; inertia = «1kg * m^2»; } joint o = revolute(ground.position, arm.position); freedom swing = arm.angle; force m = motor(ground, arm, 5Nm); }" => "a unit is one word, and `1kg * m^2` is several\nhelp: write `1kgm2`";
     mechanism shape_by_another_word: "mechanism M in space { ground { axis z = (0, 0, 1); } body arm { axis z = (0, 0, 1); mass = 1kg; inertia = «disc»(0.1m); } joint hinge = revolute(ground.position, ground.z, arm.position, arm.z); freedom s = hinge.angle; }" => "no shape is called `disc`\nhelp: write `disk(radius)`";
     mechanism shape_by_another_word_in_the_plane: "mechanism M { body arm { mass = 1kg; inertia = «cuboid»(0.1m, 0.2m); } joint hinge = revolute(ground.position, arm.position); freedom s = arm.angle; }" => "no shape is called `cuboid`\nhelp: write `block(a, b)`";
     mechanism shape_by_a_word_of_rust: "mechanism M { body arm { mass = 1kg; inertia = «box»(0.1m, 0.2m); } joint hinge = revolute(ground.position, arm.position); freedom s = arm.angle; }" => "expected an expression, found `box`, a word of Rust\nhelp: the shape is `block(a, b, c)`, in the plane `block(a, b)`";

@@ -2,7 +2,12 @@
 
 crate::refusals! {
     item the_center_of_a_body: "output b = crank.«center»;" => "`crank` has no `center` that expressions can read\nhelp: declare a point at the centre of mass; weight acts by `gravity = …;`";
-    item a_point_for_a_center: "body c { mass = 1kg; point P = (1m, 0m); center = «P»; }" => "`c.P` moves with its body, and what stands in a body is written in its own coordinates\nhelp: name the coordinates with `let c = (…);`, and write `c` for both";
+    item a_point_of_another_body: "body c { mass = 1kg; center = «A»; }" => "`crank.A` belongs to another body, and what stands in a body is written in its own coordinates\nhelp: name the coordinates with `let c = (…);`, and write `c` for both";
+    item points_that_lead_to_each_other: "body c { point «P» = Q + (1m, 0m); point Q = P; }" => "`P` depends on itself, by way of `c.Q`";
+    item pi_in_greek: "let a = «π» * 1m;" => "nothing is called `π` here\nhelp: write `pi`";
+    item an_angle_in_greek: "let a = sin(«θ»);" => "nothing is called `θ` here\nhelp: declare it, such as `param θ: Angle = …;`, or `input θ: Angle;` if it is given at each step";
+    item an_angular_velocity_in_greek: "let a = 2s * «ω»;" => "nothing is called `ω` here\nhelp: declare it, such as `param ω: AngularVelocity = …;`";
+    item an_energy_as_an_output: "output e = «energy»;" => "nothing is called `energy` here\nnote: energies are computed for a state, in Rust\nhelp: write `mechanism.energy(&state)` there";
     item an_angular_velocity_at_the_start: "body b { start «angular_velocity» = 3rad_s; }" => "a body does not start with `angular_velocity`: a velocity at the start is that of a freedom\nhelp: write `freedom name = body.angle from 0deg at 5rad_s;`";
     item a_center_by_a_marker: "body b { mass = 1kg; «cm» = (1m, 0m); }" => "`cm` is no item of a body\nhelp: did you mean `center`?";
     item micrometres: "let a = «300µm»;" => "no unit is called `µm`\nhelp: `1µm` is `1um`";

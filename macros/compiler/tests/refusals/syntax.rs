@@ -1,6 +1,14 @@
 //! Mistakes of grammar.
 
 crate::refusals! {
+    item a_percentage: "param ratio: Number = «20%»;" => "`%` is the rest of a division\nhelp: write `0.2`";
+    item a_cast: "let a = 2 «as» f64;" => "all numbers are real ones\nhelp: write `2`";
+    item a_unit_in_an_exponent: "let a = 2 * «10^3g»;" => "a unit belongs to the number before it, here to the exponent\nhelp: write `1e3g`";
+    item named_values_of_a_shape: "body c { mass = 1kg; inertia = disk(«radius»: 60mm); }" => "values in parentheses have no names here\nhelp: write `60mm`";
+    item bounds_in_brackets: "param a: Length = 1m in «[500mm, 2m]»;" => "bounds stand on both sides of `..=`\nhelp: write `in 500mm..=2m`";
+    item a_start_behind_a_comma: "freedom swing = ram.angle«,» 30deg;" => "the value at t = 0 stands behind `from`\nhelp: write `ram.angle from 30deg`";
+    item a_condition_as_an_item: "«require» length > 0;" => "`require` is no item of a mechanism\nhelp: bounds of a parameter stand behind it, as in `param a: Length = 100mm in 50mm..;`";
+    item an_array_as_in_c: "body «link»[3] { point P = (1m, 0m); }" => "there is a body `link[3]` but no `link[0]`\nhelp: the indices of an array run from 0 without gaps; 3 of them are written `for i in 0..3 { body link[i] … }`";
     item two_conditions_each_in_parentheses: "output b = if «(t > 0s)» && (t < 1s) { 1 } else { 2 };" => "a choice has one condition\nhelp: choose twice, as in `if a < b { if c < d { x } else { y } } else { y }`";
     item a_number_before_parentheses: "let a = «2(»1mm + 2mm);" => "an operator is missing between `2` and `(`\nhelp: write `2 * (…)`";
     item bounds_in_parentheses: "param a: Length = «100mm (»50mm..150mm);" => "the bounds of a parameter stand behind `in`\nhelp: write `100mm in 50mm..=150mm`";

@@ -31,8 +31,13 @@ impl Display for ArrayFact {
                 }
             }
             ArrayFact::NegativeIndex { index } => write!(f, "an index counts from 0, this one is {index}"),
-            ArrayFact::MissingIndex { what, missing, known } => {
-                write!(f, "there is {what} `{known}` but no `{missing}`\nhelp: the indices of an array run from 0 without gaps")
+            ArrayFact::MissingIndex { what, missing, known, is_alone } => {
+                write!(f, "there is {what} `{known}` but no `{missing}`\nhelp: the indices of an array run from 0 without gaps")?;
+                // As arrays are declared in C.
+                let in_c = known.strip_suffix(']').and_then(|known| known.rsplit_once('[')).filter(|_| *is_alone);
+                let Some((name, number)) = in_c.filter(|(name, number)| !name.ends_with(']') && *number != "1") else { return Ok(()) };
+                let noun = what.split_once(' ').map_or(*what, |(_, noun)| noun);
+                write!(f, "; {number} of them are written `for i in 0..{number} {{ {noun} {name}[i] … }}`")
             }
             ArrayFact::NotWhole { found } => {
                 write!(

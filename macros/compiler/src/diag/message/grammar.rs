@@ -163,6 +163,12 @@ impl Display for GrammarFact {
             GrammarFact::UnknownItem { word, .. } if ["mass", "inertia", "center"].contains(&word.as_str()) => {
                 write!(f, "`{word}` belongs in a body\nhelp: write it there, as in `body b {{ {word} = …; }}`")
             }
+            GrammarFact::UnknownItem { word, .. } if ["require", "assert"].contains(&word.as_str()) => {
+                write!(
+                    f,
+                    "`{word}` is no item of a mechanism\nhelp: bounds of a parameter stand behind it, as in `param a: Length = 100mm in 50mm..;`"
+                )
+            }
             GrammarFact::UnknownItem { word, .. } if COMMANDS.contains(&word.as_str()) => {
                 write!(
                     f,
@@ -195,6 +201,7 @@ impl Display for GrammarFact {
                 write!(f, "`#` begins an attribute, such as `#[picture]`\nhelp: a comment begins with `//`")
             }
             GrammarFact::CommaAtEnd => write!(f, "expected `;`, found `,`\nhelp: `;` ends each item, `,` stands between arguments"),
+            GrammarFact::Misspelt { flaw, instead } => write!(f, "{flaw}\nhelp: write `{}`", shortened(instead)),
             GrammarFact::DecimalComma => write!(f, "expected `;`, found `,`\nhelp: write a decimal point, as in `60.5mm`"),
             GrammarFact::OutputWithoutName { value } => {
                 write!(f, "an output has a name of its own\nhelp: write `output name = {};`", shortened(value))

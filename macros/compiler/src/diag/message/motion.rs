@@ -17,8 +17,8 @@ impl Display for Word {
 }
 
 /// Words for a force that is given from outside.
-const APPLIED: [&str; 9] =
-    ["load", "payload", "external_force", "applied_force", "point_force", "body_force", "point_load", "tip_force", "disturbance"];
+const APPLIED: [&str; 10] =
+    ["force", "load", "payload", "external_force", "applied_force", "point_force", "body_force", "point_load", "tip_force", "disturbance"];
 
 /// Names that other programs give to the force of gravity.
 const GRAVITY: [&str; 5] = ["gravity", "weight", "self_weight", "gravitational_field", "gravitation"];
@@ -112,7 +112,7 @@ impl Display for MotionFact {
                 let instead = if *ambient == Ambient::Plane { "(0, -9.81m_s2)" } else { "(0, 0, -9.81m_s2)" };
                 write!(f, "no force is called `{name}`: gravity acts on every mass\nhelp: write `gravity = {instead};` in its place")
             }
-            MotionFact::UnknownForce { name, near: None, ambient, .. } if APPLIED.contains(&name.to_lowercase().as_str()) => {
+            MotionFact::UnknownForce { name, ambient, .. } if APPLIED.contains(&name.to_lowercase().as_str()) => {
                 let [force, torque] = match ambient {
                     Ambient::Plane => ["(0N, -5N)", "5Nm"],
                     Ambient::Space => ["(0N, 0N, -5N)", "(0Nm, 0Nm, 5Nm)"],

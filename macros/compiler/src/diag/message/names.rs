@@ -28,7 +28,7 @@ impl Display for NameFact {
                 write!(f, "a unit is one word, and `{written}` is several\nhelp: write `{instead}`")
             }
             NameFact::PointInBody { name } => {
-                write!(f, "`{name}` moves with its body, and what stands in a body is written in its own coordinates")?;
+                write!(f, "`{name}` belongs to another body, and what stands in a body is written in its own coordinates")?;
                 write!(f, "\nhelp: name the coordinates with `let c = (…);`, and write `c` for both")
             }
             NameFact::OutputRead { name } => {
@@ -38,11 +38,11 @@ impl Display for NameFact {
             NameFact::UnknownName { name, near: None, .. } if name == "z" => {
                 write!(f, "nothing is called `z` here\nhelp: write `(0, 0, 1)` for the direction of z")
             }
-            NameFact::UnknownName { name, near: None, .. } if name == "loads" => {
-                write!(
-                    f,
-                    "nothing is called `loads` here\nnote: loads are computed for a state, in Rust\nhelp: write `mechanism.loads(&state)` there"
-                )
+            NameFact::UnknownName { name, .. } if name == "π" => write!(f, "nothing is called `π` here\nhelp: write `pi`"),
+            NameFact::UnknownName { name, near: None, .. } if ["loads", "energy"].contains(&name.as_str()) => {
+                let word = if name == "loads" { "loads" } else { "energies" };
+                write!(f, "nothing is called `{name}` here\nnote: {word} are computed for a state, in Rust")?;
+                write!(f, "\nhelp: write `mechanism.{name}(&state)` there")
             }
             NameFact::UnknownName { name, near: None, .. } if is_constant(name) && usual_dimension(name).is_none() => {
                 write!(
