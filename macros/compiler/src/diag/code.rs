@@ -46,7 +46,7 @@ codes! {
         Motion::PlaceWithoutAt Motion::StartWithEquals Motion::FreedomWithoutName Motion::DriveWithoutName Grammar::OneEqualsSign
         Grammar::HashComment Grammar::CommaAtEnd Grammar::DecimalComma Grammar::OutputWithoutName Grammar::OutputWithDimension
         Grammar::TwoConditions Grammar::ConditionInParentheses Grammar::NumberBeforeParentheses Grammar::OutputInUnit Grammar::ArrayOfDimension
-        Grammar::ComparisonOutside Grammar::ForceBeforePlace Grammar::StraySemicolon Grammar::Return Grammar::Misspelt;
+        Grammar::ComparisonOutside Grammar::ForceBeforePlace Grammar::StraySemicolon Grammar::Return Grammar::Misspelt Grammar::BoundsElsewhere;
     E0002: Grammar::NotANumber;
     E0003: Grammar::TooDeep Grammar::TooLong Grammar::LongChain Grammar::PartsTooDeep;
     E0004: Grammar::Keyword;
@@ -158,7 +158,7 @@ codes! {
     E0803: System::NotRedundant;
     // Assembly.
     E0901: Assembly::StaysOpen Assembly::NeverCloses;
-    E0902: Assembly::HasNoValue Assembly::HasNoRate;
+    E0902: Assembly::HasNoValue Assembly::HasNoRate Assembly::ForceWithoutValue;
     E0903: Assembly::SingularStart;
     E0904: Assembly::AmbiguousStart;
     E0905: Assembly::MotionEnds Assembly::Crosses;

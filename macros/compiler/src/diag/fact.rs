@@ -110,6 +110,7 @@ pub enum GrammarFact {
     HashComment,
     CommaAtEnd,
     DecimalComma,
+    BoundsElsewhere,
     Misspelt { flaw: &'static str, instead: String },
     OutputWithoutName { value: String },
     OutputWithDimension { name: String },
@@ -353,6 +354,9 @@ pub enum AssemblyFact {
         drives: Vec<String>,
         starts: Vec<String>,
         bound: Option<Box<Bound>>,
+    },
+    ForceWithoutValue {
+        force: String,
     },
     HasNoRate {
         joint: String,

@@ -3,12 +3,12 @@
 
 use super::{Dynamics, massless};
 use crate::assembly::Assembly;
-use crate::diag::{Diag, SystemFact};
-use crate::expr::{Expr, Values, evaluate};
+use crate::diag::{AssemblyFact, Diag, SystemFact};
+use crate::expr::{Expr, Leaf, Values, evaluate};
 use crate::linear::Echelon;
 use crate::model::{Joint, Mass, Model};
-use crate::numeric::{Numeric, at_defaults};
-use crate::quantity::Role;
+use crate::numeric::{Numeric, at_defaults, is_known};
+use crate::quantity::{Ambient, Role};
 use crate::system::System;
 
 /// A mass below this part of the one that the motion has by itself, and a speed below this, count as zero.
@@ -20,7 +20,35 @@ pub(super) fn check(model: &Model, system: &System, assembly: &Assembly, dynamic
     if !assembly.is_closed {
         return Some(());
     }
-    at_defaults(model, system, |numeric| AtStart::new(numeric, assembly, dynamics).check(assembly, diag))
+    at_defaults(model, system, |numeric| {
+        AtStart::new(numeric, assembly, dynamics).check(assembly, diag)?;
+        forces_have_values(numeric, assembly, dynamics, diag)
+    })
+}
+
+/// Refuses a force in the plane that is no number where the mechanism is assembled. One that depends on speeds is judged where nothing moves.
+fn forces_have_values(numeric: &Numeric, assembly: &Assembly, dynamics: &Dynamics, diag: &mut Diag) -> Option<()> {
+    let (model, system) = (numeric.model, numeric.system);
+    let zeros = vec![0.0; system.coordinates.len()];
+    let known = Values { coordinates: &assembly.start, speeds: &zeros, accelerations: &zeros, ..numeric.known };
+    let Some(loads) = system.loads.as_ref().filter(|_| model.ambient == Ambient::Plane) else { return Some(()) };
+    let rates: Vec<Expr> = dynamics.rows.iter().chain(&dynamics.initial).map(|row| row.nu).collect();
+    let is_at_rest = evaluate(&dynamics.arena, &rates, &known).iter().all(|rate| *rate == 0.0);
+    let is_given = |leaf: &Leaf| !matches!(leaf, Leaf::Input { .. }) && (is_at_rest || !matches!(leaf, Leaf::Speed(_)));
+    for (declared, push) in model.declared_forces.iter().zip(&loads.pushes) {
+        let is_judged = |root: &Expr| system.arena.leaves(*root).iter().all(is_given) && is_known(model, system, *root);
+        let has_value = |coordinates: &[f64]| {
+            let values = evaluate(&system.arena, push, &Values { coordinates, ..known });
+            values.iter().all(|value| value.is_finite())
+        };
+        let beside =
+            |by: f64| assembly.start.iter().enumerate().map(|(unknown, value)| value + by * numeric.scale(unknown)).collect::<Vec<f64>>();
+        // One that has a value on one side of the start alone may have one there but for rounding errors.
+        if push.iter().all(is_judged) && !has_value(&assembly.start) && has_value(&beside(NOTHING)) == has_value(&beside(-NOTHING)) {
+            return diag.refuse(&declared.name, AssemblyFact::ForceWithoutValue { force: declared.name.to_string() });
+        }
+    }
+    Some(())
 }
 
 /// Numbers of the equations of motion where the mechanism is assembled, with lengths in characteristic lengths.

@@ -141,7 +141,7 @@ pub(crate) fn place(unknowns: &[usize], unknown: usize) -> Option<usize> {
 }
 
 /// True if an expression contains no Rust function.
-fn is_known(model: &Model, system: &System, root: Expr) -> bool {
+pub(crate) fn is_known(model: &Model, system: &System, root: Expr) -> bool {
     if !model.functions.iter().any(|function| matches!(function, Function::Rust(_))) {
         return true;
     }

@@ -16,7 +16,7 @@ use crate::diag::{GrammarFact, Range};
 use crate::quantity;
 use proc_macro2::{Delimiter, Span, TokenTree};
 use quote::ToTokens;
-use syn::parse::ParseStream;
+use syn::parse::{ParseBuffer, ParseStream};
 use syn::{Ident, Lit, LitBool, Token, token};
 
 /// `= expression;`
@@ -216,10 +216,23 @@ fn atom(input: ParseStream, room: u16) -> Parsed<Expression> {
         let range = path.range;
         return node(ExpressionKind::Path(path), range);
     }
+    if let Some(inside) = closure(input) {
+        let instead = sum(&inside, room)?.to_string();
+        return wrong(input.span(), GrammarFact::Misspelt { flaw: "a law is an expression of `t`, not a closure", instead });
+    }
     if input.peek(Token![return]) {
         return wrong(input.span(), GrammarFact::Return);
     }
     expected(input, "an expression")
+}
+
+/// What stands behind `|name|`, as of a closure in Rust; nothing for a norm.
+fn closure(input: ParseStream<'_>) -> Option<ParseBuffer<'_>> {
+    let ahead = input.fork();
+    ahead.parse::<Token![|]>().ok()?;
+    ahead.parse::<Ident>().ok()?;
+    ahead.parse::<Token![|]>().ok()?;
+    (!is_end(&ahead) && !ahead.peek(Token![-])).then_some(ahead)
 }
 
 fn number(input: ParseStream) -> Parsed<Expression> {

@@ -143,6 +143,7 @@ pub(super) fn semicolon(input: ParseStream) -> Parsed<()> {
         if let Some(unit) = keyword(&ahead).filter(|word| crate::quantity::unit(&word.to_string()).is_some()) {
             return wrong(input.span(), GrammarFact::OutputInUnit { unit: unit.to_string() });
         }
+        return wrong(input.span(), GrammarFact::BoundsElsewhere);
     }
     if !input.peek(Token![;]) {
         let what = if input.cursor().punct().is_some() { "an operator or `;`" } else { "`;`" };

@@ -36,6 +36,13 @@ impl Display for AssemblyFact {
                 write!(f, "\nhelp: declare a `start` at which it has one")?;
                 if drives.is_empty() { Ok(()) } else { write!(f, ", or let {} have another value at t = 0", list(drives)) }
             }
+            AssemblyFact::ForceWithoutValue { force } => {
+                write!(
+                    f,
+                    "`{force}` has no value at the start: a root of something negative, or a division by zero, such as by a speed at rest"
+                )?;
+                write!(f, "\nhelp: declare a `start` at which it has one, or a law with a value there")
+            }
             AssemblyFact::HasNoRate { joint, row, of } => {
                 write!(f, "{} of `{joint}` has no finite first and second derivative by time at t = 0", equation(*row, *of))?;
                 write!(f, "\nhelp: a root of what vanishes there has none: take a law that begins smoothly")

@@ -201,6 +201,12 @@ impl Display for GrammarFact {
                 write!(f, "`#` begins an attribute, such as `#[picture]`\nhelp: a comment begins with `//`")
             }
             GrammarFact::CommaAtEnd => write!(f, "expected `;`, found `,`\nhelp: `;` ends each item, `,` stands between arguments"),
+            GrammarFact::BoundsElsewhere => {
+                write!(
+                    f,
+                    "bounds belong to a parameter, as in `param a: Length = 1m in 0m..;`\nhelp: forces that end a motion are `stop` and `stop_along`"
+                )
+            }
             GrammarFact::Misspelt { flaw, instead } => write!(f, "{flaw}\nhelp: write `{}`", shortened(instead)),
             GrammarFact::DecimalComma => write!(f, "expected `;`, found `,`\nhelp: write a decimal point, as in `60.5mm`"),
             GrammarFact::OutputWithoutName { value } => {
