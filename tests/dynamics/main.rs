@@ -18,6 +18,7 @@ mod jumps;
 mod kept;
 mod masses;
 mod meshes;
+mod nearest;
 mod nonlinear;
 mod plane;
 mod published;

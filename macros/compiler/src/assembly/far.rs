@@ -129,8 +129,9 @@ impl Numeric<'_> {
     fn drive_of(&self, structure: &Structure, unknown: usize) -> Option<String> {
         let computed = structure.blocks.iter().filter(|block| block.iterated.is_empty()).flat_map(|block| &block.explicit);
         let equation = computed.filter(|explicit| explicit.unknown == unknown).map(|explicit| explicit.equation).next()?;
-        let joint = &self.model.joints[self.system.equations[equation].joint];
-        joint.is_drive.then(|| joint.name.to_string())
+        let (joint, row) = (&self.model.joints[self.system.equations[equation].joint], self.system.equations[equation].row);
+        // What velocities leave open is held at the start.
+        (joint.is_drive && row < joint.residuals.len()).then(|| joint.name.to_string())
     }
 }
 

@@ -82,8 +82,8 @@ fn has_sliced_load(items: &[Item], load: &str) -> bool {
 }
 
 /// True if the name of the mechanism followed by `word` may be a generated type: the state or a view of it, a failure, a slice for an
-/// output, a prepared or a moving mechanism.
+/// output, its loads, its points, a prepared or a moving mechanism.
 pub(crate) fn is_of_generated_type(word: &str) -> bool {
     let is_of_slice = word.strip_prefix("For").is_some_and(|output| output.starts_with(|first: char| first.is_uppercase() || first == '_'));
-    word.starts_with("State") || is_of_slice || ["Failure", "Prepared", "Moving"].contains(&word)
+    word.starts_with("State") || is_of_slice || ["Failure", "Loads", "Moving", "Points", "Prepared"].contains(&word)
 }

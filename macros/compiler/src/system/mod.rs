@@ -280,7 +280,7 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
         Ambient::Plane => in_plane(model, &mut arena),
         Ambient::Space => forest::reduce(model, &mut arena, forest::FreeSpeeds::OfQuaternion),
     };
-    let Choice { coordinates, mut rows, outputs, frames, space, balance, loads } = choice;
+    let Choice { mut coordinates, mut rows, outputs, frames, space, balance, loads } = choice;
     rows::integrate(model, &mut arena, &coordinates, &mut rows, diag);
     rows::begin_at_start(model, &mut arena, &coordinates, &mut rows);
     let is_motion = model.task == Task::Motion;
@@ -296,7 +296,7 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
     let mut equations = derivatives.of_all(&mut arena, &rows);
     let of_speeds = derivatives.of_all(&mut arena, &of_speeds);
     if !of_speeds.is_empty() {
-        rows = pins::pins(model, &mut arena, &coordinates, [&equations, &of_speeds]);
+        rows = pins::pins(model, &mut arena, &mut coordinates, [&equations, &of_speeds]);
         equations.extend(derivatives.of_all(&mut arena, &rows));
     }
     let by_spins = is_free.then(|| spins::equations(model, &mut arena, &coordinates, &at_level));

@@ -2,6 +2,9 @@
 //! mechanism closes there, and otherwise its value in a configuration nearby that satisfies the equations of positions. If the mechanism does
 //! not close at the declared values, these are only the guess for such a configuration; then an unknown without a declared start whose rate alone
 //! is given, by a freedom or by a drive, keeps 0. If no steps from the guess lead to such a configuration, others are guesses.
+//!
+//! Where declared places are not kept so, a configuration nearer to them is looked for: coordinates are pinned there, and those without a declared
+//! start begin there.
 
 use super::rows::Row;
 use super::{Coordinate, Equation};
@@ -19,6 +22,9 @@ const CLEARLY: f64 = 0.1;
 /// The other coordinates are pinned if more than this fraction is open.
 const HARDLY: f64 = 1e-9;
 
+/// Unknowns that hold less than this part of what is open do not hold it at a dead point, to which steps converge slowly.
+const BARELY: f64 = 1e-4;
+
 /// Newton steps to a configuration that satisfies the equations.
 const STEPS: usize = 40;
 
@@ -34,20 +40,39 @@ const SWAYS: [f64; 6] = [0.1, 0.2, 0.3, 0.5, 0.7, 1.0];
 /// Attempts with changes of up to half a turn, where none closes nearer to the declared start.
 const WIDE: usize = 24;
 
+/// A place is as declared within this part of the farthest one.
+const AS_DECLARED: f64 = 1e-9;
+
+/// A step towards the declared places turns no body by more than this, in rad.
+const LONGEST: f64 = 0.5;
+
+/// Cost of changing a coordinate, against that of leaving a declared place.
+const EFFORT: f64 = 1e-2;
+
+/// Steps to the configuration that is nearest to the declared places.
+const APPROACHES: usize = 200;
+
 /// Added to the diagonal of Φ_q Φ_qᵀ, since rows may depend on each other.
 const DAMPING: f64 = 1e-13;
 
 /// Rows that hold the coordinates which the equations leave open at the start; they belong to the last freedom.
 ///
+/// * `coordinates`: given and returned; those without a declared start begin at the configuration found, if it is nearer to the declared places.
 /// * `of_speeds`: given, the equations of speeds, with those of freedoms.
-pub(super) fn pins(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], [equations, of_speeds]: [&[Equation]; 2]) -> Vec<Row> {
-    let Open { start, unknowns, keeps_declared } = open(model, arena, coordinates, [equations, of_speeds]);
+pub(super) fn pins(model: &Model, arena: &mut Arena, coordinates: &mut [Coordinate], [equations, of_speeds]: [&[Equation]; 2]) -> Vec<Row> {
+    let Open { start, unknowns, keeps_declared, is_nearest } = open(model, arena, coordinates, [equations, of_speeds]);
+    for (coordinate, value) in coordinates.iter_mut().zip(&start).filter(|_| is_nearest) {
+        if !is_declared(model, coordinate) {
+            coordinate.start = Exact::binary(*value).map(|value| arena.constant(value));
+        }
+    }
+    let coordinates = &*coordinates;
     let joint = model.joints.len() - 1;
     let first = model.joints[joint].residuals.len();
     let row = |(number, unknown): (usize, usize)| {
         let role = coordinates[unknown].role;
         let leaf = arena.leaf(Leaf::Coordinate(unknown as u32));
-        let nearby = Exact::binary(start[unknown]).filter(|_| !keeps_declared || !is_declared(model, &coordinates[unknown]));
+        let nearby = Exact::binary(start[unknown]).filter(|_| !keeps_declared[unknown] || !is_declared(model, &coordinates[unknown]));
         let held = nearby.map(|value| arena.constant(value)).or(coordinates[unknown].start);
         let residual = held.map_or(leaf, |held| arena.sub(leaf, held));
         let dim = match role {
@@ -66,8 +91,10 @@ struct Open {
     start: Vec<f64>,
     /// The unknowns that Φ_q leaves open there.
     unknowns: Vec<usize>,
-    /// True if unknowns with a declared start have that value.
-    keeps_declared: bool,
+    /// True of each unknown that has its declared start value, if it has one.
+    keeps_declared: Vec<bool>,
+    /// True if the configuration was looked for near the declared places.
+    is_nearest: bool,
 }
 
 /// True if a start value of a coordinate is declared. In space an angle or a component of a quaternion has one, even if it is 0, where the
@@ -82,67 +109,132 @@ fn is_declared(model: &Model, coordinate: &Coordinate) -> bool {
     }
 }
 
+/// Declared start values, at the defaults.
+struct DeclaredStart {
+    /// 0 where none is declared.
+    values: Vec<f64>,
+    are_declared: Vec<bool>,
+    /// True of angles and of components of quaternions.
+    are_turns: Vec<bool>,
+    /// The unknowns whose rate alone is given.
+    rates: Vec<usize>,
+}
+
 fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], [equations, of_speeds]: [&[Equation]; 2]) -> Open {
-    let kept = |(start, unknowns)| Open { start, unknowns, keeps_declared: true };
     let functions = |number: u32, x: f64| tabulated(&model.functions, number, x);
     let parameters = defaults(model, arena);
     let known = Values { time: 0.0, parameters: &parameters, coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
     let start = |coordinate: &Coordinate| coordinate.start.and_then(|start| evaluate(arena, &[start], &known).pop()).unwrap_or(0.0);
-    let declared: Vec<f64> = coordinates.iter().map(start).collect();
-    let is_declared: Vec<bool> = coordinates.iter().map(|coordinate| is_declared(model, coordinate)).collect();
-    let mut rows = PositionRows::new(arena, &known, equations, coordinates.len());
-    let open = rows.open(&declared, &is_declared);
-    let held: Vec<usize> = open.iter().copied().filter(|unknown| is_declared[*unknown]).collect();
-    let swayed = |attempt: usize| {
-        let change = |(unknown, value): (usize, &f64)| match coordinates[unknown].role {
-            Role::Angle | Role::Quaternion(_) if !is_declared[unknown] => value + sway(unknown, attempt),
-            _ => *value,
-        };
-        declared.iter().enumerate().map(change).collect::<Vec<f64>>()
+    let declared = DeclaredStart {
+        values: coordinates.iter().map(start).collect(),
+        are_declared: coordinates.iter().map(|coordinate| is_declared(model, coordinate)).collect(),
+        are_turns: coordinates.iter().map(|one| matches!(one.role, Role::Angle | Role::Quaternion(_))).collect(),
+        rates: of_speeds.iter().filter(|row| row.jacobian.len() == 1).map(|row| row.jacobian[0].0).collect(),
     };
+    let mut rows = PositionRows::new(arena, &known, equations, coordinates.len());
+    let open = as_declared(&mut rows, &declared);
+    if declared.values.len() > SMALL || !(0..declared.values.len()).any(|unknown| declared.is_place(unknown)) {
+        return open;
+    }
+    let closed = rows.closed_near(&open.start, &open.unknowns);
+    let distance = closed.as_ref().map_or(f64::INFINITY, |closed| declared.distance(closed));
+    if let Some(start) = closed.filter(|_| distance <= AS_DECLARED) {
+        let there = rows.open(&start, &declared.are_declared);
+        let is_turn_open = open.unknowns.iter().any(|unknown| declared.are_turns[*unknown] && !declared.are_declared[*unknown]);
+        // At a dead point other coordinates are open than beside it.
+        let unknowns = if rows.hold(&start, &open.unknowns) { open.unknowns } else { there };
+        return Open { start, unknowns, is_nearest: is_turn_open, ..open };
+    }
+    let is_held = |unknown: &usize| declared.are_turns[*unknown] && declared.are_declared[*unknown];
+    let held: Vec<usize> = open.unknowns.iter().copied().filter(is_held).collect();
+    match rows.nearest(&declared, &held).filter(|found| declared.distance(found) < (1.0 - AS_DECLARED) * distance) {
+        None => open,
+        Some(start) => {
+            let unknowns = rows.open(&start, &declared.are_declared);
+            let size = declared.size();
+            let is_kept = |(found, value): (&f64, &f64)| (found - value).abs() <= AS_DECLARED * size;
+            let keeps_declared = start.iter().zip(&declared.values).map(is_kept).collect();
+            Open { start, unknowns, keeps_declared, is_nearest: true }
+        }
+    }
+}
+
+/// The unknowns that are open if declared starts are kept, as far as the mechanism closes with them.
+fn as_declared(rows: &mut PositionRows, start: &DeclaredStart) -> Open {
+    let DeclaredStart { values: declared, are_declared: is_declared, rates, .. } = start;
+    let kept =
+        |(start, unknowns): (Vec<f64>, Vec<usize>)| Open { keeps_declared: vec![true; start.len()], start, unknowns, is_nearest: false };
+    let open = rows.open(declared, is_declared);
+    let held: Vec<usize> = open.iter().copied().filter(|unknown| is_declared[*unknown]).collect();
     // Equations that depend on each other at the declared start alone leave fewer unknowns open beside it.
     let may_leave_fewer = rows.shape[0] + open.len() > declared.len() && declared.len() <= SMALL;
     let fewer = |(attempt, held): (usize, &[usize])| {
-        let closed = rows.closed_near(&swayed(attempt), held)?;
-        let there = rows.open(&closed, &is_declared);
+        let closed = rows.closed_near(&start.swayed(attempt), held)?;
+        let there = rows.open(&closed, is_declared);
         (there.len() < open.len()).then_some((closed, there))
     };
     let attempts = [held.as_slice(), &[]].into_iter().flat_map(|held| (0..=SWAYS.len()).map(move |attempt| (attempt, held)));
     if let Some(found) = attempts.filter(|_| may_leave_fewer).find_map(fewer) {
         return kept(found);
     }
-    if rows.closed_near(&declared, &open).is_some() {
-        return kept((declared, open));
+    if rows.closed_near(declared, &open).is_some() {
+        return kept((declared.clone(), open));
     }
-    if let Some(closed) = rows.closed_near(&declared, &held) {
-        let open = if held.is_empty() { rows.open(&closed, &is_declared) } else { open };
+    if let Some(closed) = rows.closed_near(declared, &held) {
+        let open = if held.is_empty() { rows.open(&closed, is_declared) } else { open };
         return kept((closed, open));
     }
     // Steps that end at a smallest gap say nothing about other configurations.
     let from = |attempt: usize, held: &[usize]| {
-        let mut there = swayed(attempt);
+        let mut there = start.swayed(attempt);
         held.iter().for_each(|unknown| there[*unknown] = declared[*unknown]);
         there
     };
     let most = if declared.len() <= SMALL { SWAYS.len() + WIDE } else { 0 };
     let mut closed_anywhere = |held: &[usize]| (0..=most).find_map(|attempt| rows.closed_near(&from(attempt, held), held));
     // A coordinate whose rate alone is known is rather held at 0 than another one at a declared start at which nothing closes.
-    let rates: Vec<usize> = of_speeds.iter().filter(|row| row.jacobian.len() == 1).map(|row| row.jacobian[0].0).collect();
     let is_rate: Vec<bool> = (0..declared.len()).map(|unknown| rates.contains(&unknown)).collect();
     let may_be_held = !rates.is_empty() && !rates.iter().any(|unknown| is_declared[*unknown]);
-    if let Some(closed) = may_be_held.then(|| closed_anywhere(&rates)).flatten() {
-        return Open { unknowns: rows.open(&closed, &is_rate), start: closed, keeps_declared: false };
+    if let Some(closed) = may_be_held.then(|| closed_anywhere(rates)).flatten() {
+        let unknowns = rows.open(&closed, &is_rate);
+        return Open { unknowns, keeps_declared: vec![false; closed.len()], start: closed, is_nearest: false };
     }
     if closed_anywhere(&open).is_some() {
-        return kept((declared, open));
+        return kept((declared.clone(), open));
     }
     if let Some(closed) = closed_anywhere(&held) {
-        let open = rows.open(&closed, &is_declared);
+        let open = rows.open(&closed, is_declared);
         return kept((closed, open));
     }
     // It does not close, as is said later of its joints; until then its freedoms are counted beside the start.
-    let beside = may_leave_fewer.then(|| rows.open(&swayed(1), &is_declared));
-    kept((declared, beside.filter(|beside| beside.len() < open.len()).unwrap_or(open)))
+    let beside = may_leave_fewer.then(|| rows.open(&start.swayed(1), is_declared));
+    kept((declared.clone(), beside.filter(|beside| beside.len() < open.len()).unwrap_or(open)))
+}
+
+impl DeclaredStart {
+    /// Declared values, with others for the turns of which nothing is declared.
+    fn swayed(&self, attempt: usize) -> Vec<f64> {
+        let is_swayed = |unknown: usize| self.are_turns[unknown] && !self.are_declared[unknown];
+        let change = |(unknown, value): (usize, &f64)| if is_swayed(unknown) { value + sway(unknown, attempt) } else { *value };
+        self.values.iter().enumerate().map(change).collect()
+    }
+
+    /// True of a declared place.
+    fn is_place(&self, unknown: usize) -> bool {
+        self.are_declared[unknown] && !self.are_turns[unknown]
+    }
+
+    /// The declared place farthest from the origin, or 1 m.
+    fn size(&self) -> f64 {
+        let farthest = (0..self.values.len()).filter(|unknown| self.is_place(*unknown)).map(|unknown| self.values[unknown].abs());
+        Some(farthest.fold(0.0, f64::max)).filter(|size| *size > 0.0).unwrap_or(1.0)
+    }
+
+    /// Distance of a configuration from the declared places, by their size.
+    fn distance(&self, q: &[f64]) -> f64 {
+        let places = (0..q.len()).filter(|unknown| self.is_place(*unknown));
+        places.map(|unknown| (q[unknown] - self.values[unknown]).powi(2)).sum::<f64>().sqrt() / self.size()
+    }
 }
 
 /// Change of an unknown in an attempt; none in attempt 0.
@@ -215,6 +307,60 @@ impl<'a> PositionRows<'a> {
         }
         pinned.sort_unstable();
         pinned
+    }
+
+    /// True if the equations and some unknowns held leave nothing open at a configuration.
+    fn hold(&mut self, q: &[f64], held: &[usize]) -> bool {
+        let mut echelon = Echelon::new(q.len());
+        let rows = self.at(q).1;
+        let before = rows.into_iter().filter(|row| echelon.takes(row.clone())).count();
+        let holds = |unknown: &usize| (0..q.len()).map(|column| f64::from(u8::from(column == *unknown))).collect();
+        let taken = held.iter().filter(|unknown| echelon.takes_above(BARELY, holds(unknown))).count();
+        before + taken == q.len()
+    }
+
+    /// A configuration that satisfies the equations, as near to the declared places as any that is found. The values of some unknowns are held.
+    fn nearest(&mut self, declared: &DeclaredStart, held: &[usize]) -> Option<Vec<f64>> {
+        let mut best: Option<(f64, Vec<f64>)> = None;
+        for attempt in 0..=SWAYS.len() + WIDE {
+            let guess = self.approach(declared, declared.swayed(attempt), held);
+            let Some(found) = self.closed_near(&guess, held) else { continue };
+            let distance = declared.distance(&found);
+            if best.as_ref().is_none_or(|(least, _)| distance < *least) {
+                best = Some((distance, found));
+            }
+            if distance <= AS_DECLARED {
+                break;
+            }
+        }
+        best.map(|(_, found)| found)
+    }
+
+    /// Steps that bring declared places nearer, along the linearized equations: (q + Δ − d)ᵀ P (q + Δ − d) + Δᵀ E Δ is least, Φ + Φ_q Δ = 0.
+    fn approach(&mut self, declared: &DeclaredStart, mut q: Vec<f64>, held: &[usize]) -> Vec<f64> {
+        let size = declared.size();
+        let pull = |unknown: usize| if declared.is_place(unknown) { 1.0 / (size * size) } else { 0.0 };
+        let effort = |unknown: usize| if declared.are_turns[unknown] { EFFORT } else { EFFORT / (size * size) };
+        for _ in 0..APPROACHES {
+            let (phi, mut jacobian) = self.at(&q);
+            jacobian.iter_mut().for_each(|row| held.iter().for_each(|unknown| row[*unknown] = 0.0));
+            // In units in which P + E is the identity.
+            let units: Vec<f64> = (0..q.len()).map(|unknown| (pull(unknown) + effort(unknown)).sqrt()).collect();
+            let wish: Vec<f64> =
+                (0..q.len()).map(|unknown| pull(unknown) * (declared.values[unknown] - q[unknown]) / units[unknown]).collect();
+            let scaled: Vec<Vec<f64>> =
+                jacobian.iter().map(|row| row.iter().zip(&units).map(|(entry, unit)| entry / unit).collect()).collect();
+            let left: Vec<f64> = phi.iter().zip(&scaled).map(|(phi, row)| phi + product(row, &wish)).collect();
+            let Some(back) = shortest(&left, &scaled) else { return q };
+            let step: Vec<f64> = (0..q.len()).map(|unknown| (wish[unknown] - back[unknown]) / units[unknown]).collect();
+            let turn = (0..q.len()).filter(|unknown| declared.are_turns[*unknown]).map(|unknown| step[unknown].abs()).fold(0.0, f64::max);
+            let share = if turn > LONGEST { LONGEST / turn } else { 1.0 };
+            q.iter_mut().zip(&step).for_each(|(value, step)| *value += share * step);
+            if step.iter().zip(&units).all(|(step, unit)| (step * unit).abs() <= HOLDS) {
+                break;
+            }
+        }
+        q
     }
 
     /// A configuration that satisfies the equations, by the shortest steps Φ_qᵀ (Φ_q Φ_qᵀ)⁻¹ Φ; `None` if they do not lead to one. The

@@ -56,6 +56,8 @@ crate::refusals! {
     item component_with_a_generated_name: "component «State»() {}" => "a component cannot be called `State`: a generated type would have that name\nhelp: choose another name";
     item component_with_the_name_of_a_slice: "component «ForTip»() {}" => "a component cannot be called `ForTip`: a generated type would have that name\nhelp: choose another name";
     item component_with_the_name_of_what_is_prepared: "component «Prepared»() {}" => "a component cannot be called `Prepared`: a generated type would have that name\nhelp: choose another name";
+    item component_with_the_name_of_loads: "component «Loads»() {}" => "a component cannot be called `Loads`: a generated type would have that name\nhelp: choose another name";
+    item component_with_the_name_of_points: "component «Points»() {}" => "a component cannot be called `Points`: a generated type would have that name\nhelp: choose another name";
     item component_in_a_component: "component Leg() { «component» Foot() {} }" => "`component` stands in the mechanism itself, not in a component or a loop\nhelp: move it out";
     item ground_in_a_component: "component Leg() { «ground» { } }" => "`ground` stands in the mechanism itself, not in a component or a loop\nhelp: move it out";
     item parameter_of_a_component_twice: "component Leg(P: Point, «P»: Axis) {}" => "the name `P` is taken: another parameter has it\nhelp: choose another name";

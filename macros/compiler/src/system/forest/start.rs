@@ -88,6 +88,20 @@ impl Forest<'_> {
         })
     }
 
+    /// A point of each of two bodies on the axis about which the second turns and along which it slides.
+    fn points_on_hinge(&self, inner: Triad, outer: Triad) -> Option<(Place, Place)> {
+        let is_hinge = |axis: &Triad| [inner, outer].iter().any(|one| (one.body, one.axes[2]) == (axis.body, axis.axes[2]));
+        self.model.space.relations.iter().find_map(|(_, _, relation)| match relation {
+            Relationship::OnLine(axis, one, two) if is_hinge(axis) && (one.body, two.body) == (inner.body, outer.body) => {
+                Some((*one, *two))
+            }
+            Relationship::OnLine(axis, one, two) if is_hinge(axis) && (two.body, one.body) == (inner.body, outer.body) => {
+                Some((*two, *one))
+            }
+            _ => None,
+        })
+    }
+
     /// Declared start of an angle or a displacement of a joint.
     pub(super) fn declared_start(&self, quantity: JointQuantity) -> Option<Expr> {
         self.model.starts.iter().find(|start| start.quantity == quantity).map(|start| start.value)
@@ -190,7 +204,7 @@ impl Forest<'_> {
     /// orientation is not declared and that of the other body is known, since the place of the hinge is not known without it.
     ///
     /// ```text
-    /// u = r − P    from the point that both bodies share to the origin of the new body, in ground
+    /// u = r − P    from a point that both bodies share, or on the axis along which they slide, to the origin of the new body, in ground
     /// v = −s       the same, in the new body
     /// ```
     pub(super) fn start_angle_by_place(&mut self, inner: Triad, outer: Triad) -> Option<Expr> {
@@ -199,7 +213,7 @@ impl Forest<'_> {
         if self.has_orientation(body) || !declared.iter().any(|one| one.start.is_some()) || !self.is_orientation_known(inner.body) {
             return None;
         }
-        let (at, own) = self.shared_point(inner.body, outer.body)?;
+        let (at, own) = self.shared_point(inner.body, outer.body).or_else(|| self.points_on_hinge(inner, outer))?;
         let to_place = self.hinged_at_start(at);
         let (foot, origin) = (at.body.map(|from| self.origin_at_start(from)), self.origin_at_start(body));
         let u = [0, 1, 2].map(|k| {
