@@ -33,6 +33,73 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// A wheel between the ends of its hinge.
+    pub(crate) mechanism Ends {
+        param start: AngularVelocity = 2rad_s;
+        param exponent: Number = 1.5;
+        param damping: Time / Angle = 0;
+        body wheel { mass = 3kg;  inertia = 0.5kgm2; }
+        joint axle = revolute(ground.position, wheel.position);
+        slice force ends = torsion_stop(ground, wheel, -20deg, 40deg, 30Nm, 2deg, exponent, damping);
+        freedom turn = wheel.angle from 10deg at start;
+    }
+}
+
+mechanism! {
+    /// The same about an oblique axis in space.
+    pub(crate) mechanism ObliqueEnds in space {
+        param start: AngularVelocity = 2rad_s;
+        param exponent: Number = 1.5;
+        param damping: Time / Angle = 0;
+        ground { axis a = (1, 2, 2); }
+        body wheel { axis a = (1, 2, 2);  mass = 3kg;  inertia = (0.5kgm2, 0.5kgm2, 0.5kgm2); }
+        joint axle = revolute(ground.position, ground.a, wheel.position, wheel.a);
+        slice force ends = torsion_stop(axle.a, axle.b, -20deg, 40deg, 30Nm, 2deg, exponent: exponent, damping: damping);
+        freedom turn = axle.angle from 10deg at start;
+    }
+}
+
+/// A wheel turns back from the angle at which the work of its stop is its energy, and comes back as fast as it came.
+#[test]
+fn a_stop_of_a_hinge_gives_back_its_work() {
+    for (speed, exponent) in [(2.0_f64, 1.5_f64), (-0.7, 1.5), (1.0, 1.0), (-3.0, 2.5)] {
+        let (ends, oblique) = (Ends { start: speed, exponent, damping: 0.0 }, ObliqueEnds { start: speed, exponent, damping: 0.0 });
+        let mut state = ends.initial_state().expect("a state");
+        let mut integrator = Integrator::new(1e-11);
+        let turned = ends.advance_until(&mut state, 1.0, &mut integrator, |state| state.wheel().angular_velocity);
+        assert_eq!(turned, Ok(true));
+        // ½ J ω² = torque · depth / (exponent + 1) · (δ / depth)^(exponent + 1)
+        let depth = 2_f64.to_radians();
+        let pressed = depth * (0.25 * speed * speed * (exponent + 1.0) / (30.0 * depth)).powf(1.0 / (exponent + 1.0));
+        let wanted = if speed > 0.0 { 40_f64.to_radians() + pressed } else { -20_f64.to_radians() - pressed };
+        assert!((state.wheel().angle - wanted).abs() < 1e-9, "{} rad, not {wanted}", state.wheel().angle);
+        let torque = ends.load_of_ends(&state).torques[0];
+        let push = 30.0 * (pressed / depth).powf(exponent);
+        assert!((torque.abs() - push).abs() < 1e-6 * push, "{torque} N m, not {push}");
+        ends.advance_until(&mut state, 1.0, &mut integrator, |state| state.wheel().angle - 10_f64.to_radians()).expect("it comes back");
+        assert!((state.wheel().angular_velocity + speed).abs() < 1e-8, "{} rad/s after {speed}", state.wheel().angular_velocity);
+        let mut other = oblique.initial_state().expect("a state");
+        oblique.advance(&mut other, state.t, &mut Integrator::new(1e-11)).expect("it moves");
+        assert!((other.wheel().angular_velocity.norm() - speed.abs()).abs() < 1e-8);
+    }
+}
+
+/// The law of rebounds of the stops below, with ω, J and s/rad.
+#[test]
+fn a_damped_stop_of_a_hinge_throws_back_by_the_law_of_hunt_and_crossley() {
+    let work = |v: f64, c: f64| v / c - (c * v).ln_1p() / (c * c);
+    for (speed, damping) in [(2.0_f64, 0.3_f64), (-2.0, 0.05), (-0.8, 4.0)] {
+        let ends = Ends { start: speed, exponent: 1.5, damping };
+        let mut state = ends.initial_state().expect("a state");
+        ends.advance(&mut state, if speed > 0.0 { 0.5 } else { 1.2 / speed.abs() }, &mut Integrator::new(1e-11)).expect("it moves");
+        let rebound = -state.wheel().angular_velocity * speed.signum();
+        assert!(rebound > 0.0 && rebound < speed.abs(), "{rebound} rad/s after {speed}");
+        let (before, after) = (work(speed.abs(), damping), work(-rebound, damping));
+        assert!((before - after).abs() < 1e-7 * before, "{rebound} rad/s after {speed}: {before}, {after}");
+    }
+}
+
 /// Without damping the block comes back as fast as it came, from the depth at which the work of the stop is its energy.
 #[test]
 fn a_stop_without_damping_gives_back_its_work() {

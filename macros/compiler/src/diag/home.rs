@@ -18,7 +18,7 @@ pub enum Home {
 }
 
 /// Words with their equivalents in the plane and in space.
-const HOMES: [(&[&str], Home, Home); 28] = [
+const HOMES: [(&[&str], Home, Home); 30] = [
     (
         &["revolute", "hinge", "pin", "pivot", "rotary", "rotational", "bearing"],
         Home::Joint(&["revolute(P, Q)"]),
@@ -94,6 +94,12 @@ const HOMES: [(&[&str], Home, Home); 28] = [
         &["friction", "coulomb_friction"],
         Home::Force("friction(P, u, Q, normal, coefficient, transition)"),
         Home::Force("friction(P, u, Q, normal, coefficient, transition)"),
+    ),
+    (&["stop", "hard_stop"], Home::Force("stop(P, Q, length, force, depth)"), Home::Force("stop(P, Q, length, force, depth)")),
+    (
+        &["torsion_stop", "joint_limit", "limit", "limits"],
+        Home::Force("torsion_stop(one, two, least, greatest, torque, depth)"),
+        Home::Force("torsion_stop(a, b, least, greatest, torque, depth)"),
     ),
     (
         &["contact", "impact", "stop_along"],

@@ -72,6 +72,7 @@ pub(super) fn about_an_axis(definition: &str, found: &Kind) -> Option<&'static s
         "spring_damper" => Some("torsion_spring_damper"),
         "actuator" => Some("motor"),
         "nonlinear_spring" => Some("nonlinear_torsion_spring"),
+        "stop" | "stop_along" => Some("torsion_stop"),
         _ => None,
     }
 }

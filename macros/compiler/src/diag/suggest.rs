@@ -9,7 +9,7 @@ const LONGEST: usize = 60;
 const ADDED: [&str; 9] = ["joint", "joints", "constraint", "force", "object", "connector", "mate", "element", "pair"];
 
 /// Words of the language with their synonyms elsewhere.
-const SYNONYMS: [(&str, &[&str]); 102] = [
+const SYNONYMS: [(&str, &[&str]); 103] = [
     ("Point", &["position", "location", "place"]),
     ("Number", &["f32", "f64", "float", "double", "real", "scalar", "int", "integer", "i32", "i64", "u32", "u64", "usize"]),
     ("Length", &["m", "mm", "cm", "distance", "position", "displacement", "millimeter", "millimetre", "meter", "metre"]),
@@ -148,6 +148,7 @@ const SYNONYMS: [(&str, &[&str]); 102] = [
     ("friction", &["coulomb", "coulomb_friction", "dry_friction", "sliding_friction"]),
     ("torsion_friction", &["hinge_friction", "joint_friction", "bearing_friction", "rotational_friction", "friction_torque", "brake"]),
     ("stop", &["stopper", "bump_stop", "bumper", "buffer", "end_stop", "hard_stop", "limit"]),
+    ("torsion_stop", &["rotational_stop", "rotational_hard_stop", "angular_stop", "angle_stop", "hinge_stop", "joint_stop", "joint_limit"]),
     ("stop_along", &["contact", "impact", "floor", "wall"]),
     ("smooth_step", &["step", "step5", "smoothstep", "ramp", "heaviside"]),
     ("harmonic", &["simple_harmonic", "shm"]),

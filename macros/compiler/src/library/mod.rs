@@ -120,6 +120,7 @@ const PLANAR_FORCES: &[(&str, &str)] = force_pages_of![
     "torsion_damper",
     "torsion_spring_damper",
     "nonlinear_torsion_spring",
+    "torsion_stop",
     "torsion_friction",
     "bushing",
 ];
@@ -131,6 +132,7 @@ const SPATIAL_FORCES: &[(&str, &str)] = force_pages_of![
     "torsion_damper",
     "torsion_spring_damper",
     "nonlinear_torsion_spring",
+    "torsion_stop",
     "torsion_friction",
     "bushing",
 ];

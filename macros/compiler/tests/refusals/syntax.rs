@@ -1,7 +1,7 @@
 //! Mistakes of grammar.
 
 crate::refusals! {
-    item a_joint_with_bounds: "joint pin = revolute(ground.C, ram.B) «in» -90deg..90deg;" => "bounds belong to a parameter, as in `param a: Length = 1m in 0m..;`\nhelp: forces that end a motion are `stop` and `stop_along`";
+    item a_joint_with_bounds: "joint pin = revolute(ground.C, ram.B) «in» -90deg..90deg;" => "bounds belong to a parameter, as in `param a: Length = 1m in 0m..;`\nhelp: forces that end a motion are `stop`, `stop_along` and `torsion_stop`";
     item a_closure: "drive b = drive_angle(ram, «|»t| 60rpm * t);" => "a law is an expression of `t`, not a closure\nhelp: write `60rpm * t`";
     item a_percentage: "param ratio: Number = «20%»;" => "`%` is the rest of a division\nhelp: write `0.2`";
     item a_cast: "let a = 2 «as» f64;" => "all numbers are real ones\nhelp: write `2`";

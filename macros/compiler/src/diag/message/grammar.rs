@@ -204,7 +204,7 @@ impl Display for GrammarFact {
             GrammarFact::BoundsElsewhere => {
                 write!(
                     f,
-                    "bounds belong to a parameter, as in `param a: Length = 1m in 0m..;`\nhelp: forces that end a motion are `stop` and `stop_along`"
+                    "bounds belong to a parameter, as in `param a: Length = 1m in 0m..;`\nhelp: forces that end a motion are `stop`, `stop_along` and `torsion_stop`"
                 )
             }
             GrammarFact::Misspelt { flaw, instead } => write!(f, "{flaw}\nhelp: write `{}`", shortened(instead)),
