@@ -219,13 +219,15 @@ fn unknown_item<T>(input: ParseStream, keyword: &Ident, ambient: Ambient) -> Par
     }
     // A call of a constraint or a force lacks the keyword, and its name or `=`.
     let is_call = if name.is_some() { rest.peek(Token![=]) && rest.peek2(token::Paren) } else { rest.peek(token::Paren) };
-    if is_call {
-        let kind = match home(&word, ambient) {
-            _ if word.starts_with("drive") => Word::Drive,
-            Some(Home::Drive(_)) => Word::Drive,
-            Some(Home::Force(_)) => Word::Force,
-            _ => Word::Joint,
-        };
+    let is_own = |call: &str| call.split_once('(').is_some_and(|(name, _)| name == word);
+    let kind = match home(&word, ambient) {
+        _ if word.starts_with("drive") => Some(Word::Drive),
+        Some(Home::Drive(call)) => is_own(call).then_some(Word::Drive),
+        Some(Home::Force(call)) => is_own(call).then_some(Word::Force),
+        Some(Home::Joint(calls)) => calls.iter().any(|call| is_own(call)).then_some(Word::Joint),
+        _ => Some(Word::Joint),
+    };
+    if let Some(kind) = kind.filter(|_| is_call) {
         return wrong(keyword, GrammarFact::Unnamed { word: kind, kind: word });
     }
     let is_frame = ["fixed", "frame", "base", "world"].contains(&word.as_str());
