@@ -49,6 +49,9 @@ const LONGEST: f64 = 0.5;
 /// Cost of changing a coordinate, against that of leaving a declared place.
 const EFFORT: f64 = 1e-2;
 
+/// Of so many configurations the one nearest to the declared places is taken.
+const TRIES: usize = 5;
+
 /// Steps to the configuration that is nearest to the declared places.
 const APPROACHES: usize = 200;
 
@@ -321,7 +324,7 @@ impl<'a> PositionRows<'a> {
 
     /// A configuration that satisfies the equations, as near to the declared places as any that is found. The values of some unknowns are held.
     fn nearest(&mut self, declared: &DeclaredStart, held: &[usize]) -> Option<Vec<f64>> {
-        let mut best: Option<(f64, Vec<f64>)> = None;
+        let (mut best, mut tries): (Option<(f64, Vec<f64>)>, usize) = (None, 0);
         for attempt in 0..=SWAYS.len() + WIDE {
             let guess = self.approach(declared, declared.swayed(attempt), held);
             let Some(found) = self.closed_near(&guess, held) else { continue };
@@ -329,7 +332,8 @@ impl<'a> PositionRows<'a> {
             if best.as_ref().is_none_or(|(least, _)| distance < *least) {
                 best = Some((distance, found));
             }
-            if distance <= AS_DECLARED {
+            tries += 1;
+            if distance <= AS_DECLARED || tries == TRIES {
                 break;
             }
         }
