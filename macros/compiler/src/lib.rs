@@ -40,5 +40,6 @@ mod stub;
 pub mod syntax;
 pub mod system;
 pub mod travel;
+mod words;
 
 pub use compile::{Compiled, check_constraint, compile, constraint, error_pages, library_pages, mechanism, resume};

@@ -154,6 +154,9 @@ impl fmt::Display for Doubt {
                 write!(f, "a change of `{input}` acts over all the time before it: `{input} * t` jumps")?;
                 write!(f, "\nhelp: a commanded speed is a `param` of a mechanism that is `#[integrated]`: see the page on control loops")
             }
+            Doubt::GravityWithoutMass => {
+                write!(f, "gravity acts on masses, and no body has one\nhelp: write `mass = 1kg;` in a body, or take `gravity` away")
+            }
             Doubt::UnusualGravity { found } => {
                 write!(f, "the acceleration of free fall is {found} here, and 9.81 m/s² on Earth\nhelp: write `9.81m_s2`")
             }

@@ -4,29 +4,22 @@
 //! alone turns a fact into a sentence.
 
 mod code;
-mod elsewhere;
 mod fact;
-mod functions;
-mod home;
 mod kind;
 mod message;
 mod remedy;
 mod shown;
-mod suggest;
 mod warning;
 
+pub use crate::words::Home;
 pub use code::PAGES;
 pub use fact::{
     ArityFact, ArrayFact, AssemblyFact, Bound, Count, Demand, Driven, EquationFact, Fact, Forgotten, Gap, GrammarFact, JerkObstacle,
     JointValue, Known, MeantFor, MotionFact, NameFact, Neglected, NoPosition, Note, SystemFact, Typed, ValueFact, Word,
 };
-pub(crate) use functions::foreign;
-pub use home::Home;
-pub(crate) use home::home;
 pub use kind::{Kind, Wanted};
 pub(crate) use message::{degrees, millimetres, significant};
 pub(crate) use remedy::quantity;
-pub(crate) use suggest::{nearest, nearest_unit, stem, usual_dimension};
 pub(crate) use warning::of_unused;
 pub use warning::{AngleOf, Doubt, Warning};
 

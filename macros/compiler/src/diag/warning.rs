@@ -92,6 +92,8 @@ pub enum Doubt {
         /// Its size, with units.
         found: String,
     },
+    /// Free fall where no body has a mass.
+    GravityWithoutMass,
     /// An inertia of a body much larger than all lengths.
     WideInertia {
         /// The body.
@@ -171,6 +173,7 @@ impl Warning {
             Doubt::TurnsAsAngle { .. } => "turns_as_angle",
             Doubt::InputByTime { .. } => "input_by_time",
             Doubt::UnusualGravity { .. } => "unusual_gravity",
+            Doubt::GravityWithoutMass => "gravity_without_mass",
             Doubt::WideInertia { .. } => "wide_inertia",
             Doubt::RodAcross { .. } => "rod_across",
             Doubt::PointCalledCenter { .. } => "point_called_center",

@@ -38,11 +38,29 @@ pub(crate) fn doubtful_expressions(tree: &Mechanism) -> Vec<Warning> {
     for item in every_item(&tree.items) {
         let at_top = written_in(item);
         at_top.iter().for_each(|value| value.each(&mut |part| found.extend(names.doubt(part))));
+        found.extend(names.turns_driven(item));
         if let Item::Gravity(gravity) = item {
             found.extend(unusual_gravity(&gravity.value));
+            let without_mass = Warning { doubt: Doubt::GravityWithoutMass, range: gravity.value.range };
+            found.extend(is_massless(&tree.items).then_some(without_mass));
         }
     }
     found
+}
+
+/// True if nothing in a mechanism has a mass, or can have one from elsewhere.
+fn is_massless(items: &[Item]) -> bool {
+    every_item(items).all(|item| match item {
+        Item::Body(body) => body.masses.is_empty(),
+        Item::Joint(joint) => match &joint.body {
+            // Gear joints of multi-point constraints may add masses.
+            JointBody::Of { kind, .. } => !kind.to_string().contains("_joint"),
+            JointBody::Equations(statements) => !statements.iter().any(|statement| matches!(statement, Statement::Add(_))),
+            _ => true,
+        },
+        Item::Use(_) | Item::Refused(_) => false,
+        _ => true,
+    })
 }
 
 /// The expressions that an item consists of.
@@ -82,17 +100,27 @@ fn of_statement(statement: &Statement) -> Vec<&Expression> {
     }
 }
 
+/// The name beside `t` in a product, if it is one of these.
+fn by_time(product: &Expression, names: &BTreeSet<String>) -> Option<String> {
+    let ExpressionKind::Binary(Operator::Mul, one, two) = &product.kind else { return None };
+    let named = [one, two].map(|side| side.name().map(ToString::to_string));
+    let is_time = |side: usize| named[side].as_deref() == Some("t");
+    let other = if is_time(1) { named[0].clone() } else { named[1].clone().filter(|_| is_time(0)) };
+    other.filter(|name| names.contains(name))
+}
+
 impl Suspects {
+    /// A frequency by the time as the law of a drive of an angle.
+    fn turns_driven(&self, item: &Item) -> Option<Warning> {
+        let Item::Joint(joint) = item else { return None };
+        let JointBody::Of { kind, arguments } = &joint.body else { return None };
+        let law =
+            &arguments.last().filter(|_| ["drive_angle", "drive_relative_angle", "drive_rotation"].iter().any(|name| kind == name))?.value;
+        by_time(law, &self.frequencies)?;
+        Some(Warning { doubt: Doubt::TurnsAsAngle { written: law.to_string() }, range: law.range })
+    }
+
     fn doubt(&self, value: &Expression) -> Option<Warning> {
-        let by_time = |product: &Expression, names: &BTreeSet<String>| match &product.kind {
-            ExpressionKind::Binary(Operator::Mul, one, two) => {
-                let named = [one, two].map(|side| side.name().map(ToString::to_string));
-                let is_time = |side: usize| named[side].as_deref() == Some("t");
-                let other = if is_time(1) { named[0].clone() } else { named[1].clone().filter(|_| is_time(0)) };
-                other.filter(|name| names.contains(name))
-            }
-            _ => None,
-        };
         let warn = |doubt: Doubt, range: Range| Some(Warning { doubt, range });
         if let Some(input) = by_time(value, &self.inputs) {
             return warn(Doubt::InputByTime { input }, value.range);

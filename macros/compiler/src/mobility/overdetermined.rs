@@ -87,6 +87,10 @@ fn freedom_is_held(view: &Contenders, freedom: usize, joints: &[usize]) -> Fact 
 
 /// The joints leave a drive no freedom.
 fn nothing_to_drive(view: &Contenders, drive: usize, joints: &[usize]) -> SystemFact {
+    let held_by = view.model.held_by(drive, joints.iter().copied());
+    if held_by.is_none() && view.group.part.unknowns.len() > view.of_joints() {
+        return drives_contend(view, &[drive], joints);
+    }
     SystemFact::NothingToDrive {
         drive: view.model.joints[drive].name.to_string(),
         joints: view.joints(joints),
@@ -94,7 +98,7 @@ fn nothing_to_drive(view: &Contenders, drive: usize, joints: &[usize]) -> System
         coordinates: view.coordinates(&view.group.part.unknowns),
         free: view.coordinates(view.free),
         neglected: view.model.neglected(joints.iter().copied()),
-        held_by: view.model.held_by(drive, joints.iter().copied()),
+        held_by,
     }
 }
 
@@ -109,6 +113,7 @@ fn drives_contend(view: &Contenders, drives: &[usize], joints: &[usize]) -> Syst
     SystemFact::DrivesContend {
         drives: view.joints(drives),
         declared_free: view.joints(&free),
+        numbers: drives.iter().map(|drive| view.model.joints[*drive].residuals.len()).sum(),
         freedoms: view.group.part.unknowns.len() - view.of_joints(),
         joints: view.joints(&joints),
         coordinates: view.coordinates(&view.group.part.unknowns),

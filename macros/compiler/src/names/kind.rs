@@ -1,8 +1,9 @@
 //! Unknown kinds of joints, and the kinds that were probably meant.
 
-use crate::diag::{Fact, Known, NameFact, Typed, ValueFact, home, stem};
+use crate::diag::{Fact, Known, NameFact, Typed, ValueFact};
 use crate::library;
 use crate::quantity::Ambient;
+use crate::words::{home, stem};
 
 /// The refusal of an unknown kind of joint.
 ///

@@ -323,6 +323,14 @@ impl Names {
         self.find(space, word).or_else(|| self.find(outer?, word))
     }
 
+    /// A point or an axis of the body in which an expression stands, unless a number has its name.
+    pub(crate) fn own_mark(&self, scope: &Scope, word: &str) -> Option<(SpaceId, GroupId)> {
+        let outer = scope.space.and_then(|space| self.visible(space, word));
+        let is_number = outer.is_some_and(|group| self.group(group).sort.may_be_number());
+        let own = self.frames[scope.body.filter(|_| !is_number)?.0].space;
+        Some((own, self.find(own, word)?))
+    }
+
     /// The word for the kind of a joint of the mechanism, if the expression is its name.
     pub(crate) fn joint_kind(&self, written: &ast::Expression) -> Option<String> {
         let ExpressionKind::Path(path) = &written.kind else { return None };

@@ -1,10 +1,11 @@
 //! Signatures of definitions, for messages.
 
 use super::value::Value;
-use crate::diag::{ArityFact, MeantFor, Range, Wanted, nearest};
+use crate::diag::{ArityFact, MeantFor, Range, Wanted};
 use crate::expr::{Arena, Expr};
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{Argument, Definition, Dimension, Formal, FormalKind};
+use crate::words::nearest;
 use proc_macro2::Ident;
 
 /// `revolute(P: Point, Q: Point)`

@@ -3,7 +3,7 @@
 use super::Function as Numbered;
 use super::elaborate::Elaborator;
 use super::{Components, Name, Requirement};
-use crate::diag::{ArityFact, Fact, NameFact, Range, Typed, ValueFact, Wanted, foreign};
+use crate::diag::{ArityFact, Fact, NameFact, Range, Typed, ValueFact, Wanted};
 use crate::expr::spline::Table;
 use crate::expr::{Arena, Expr, Unary};
 use crate::library;
@@ -11,6 +11,7 @@ use crate::names::{BUILTINS, Fixed, FunctionValue, Key, SPATIAL_BUILTINS, Scalar
 use crate::profile::{self, SEGMENTS, Valuer, table};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, ExpressionKind};
+use crate::words::foreign;
 use proc_macro2::Ident;
 
 impl Elaborator<'_> {

@@ -4,12 +4,13 @@ use super::Function as Numbered;
 use super::elaborate::Elaborator;
 use super::statement::ScalarEquation;
 use super::{Components, Name};
-use crate::diag::{ArityFact, Diag, EquationFact, Known, NameFact, ValueFact, nearest};
+use crate::diag::{ArityFact, Diag, EquationFact, Known, NameFact, ValueFact};
 use crate::expr::{Expr, Leaf};
 use crate::library;
 use crate::names::{Fixed, FunctionValue, Names, RESERVED, Scalar, Scope, UNKNOWN_BODY, Value, wanted};
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{Definition, Dimension, FormalKind};
+use crate::words::nearest;
 use std::rc::Rc;
 
 /// Kinds of parameters other than dimensions.

@@ -1,9 +1,7 @@
 //! Evaluates expressions of the syntax tree to values in the arena, and checks their dimensions.
 
 use super::{Components, Energy, Force, Function as Numbered, Mass, Name, Requirement};
-use crate::diag::{
-    ArrayFact, Diag, EquationFact, Fact, GrammarFact, Kind, Known, NameFact, Range, ValueFact, Wanted, nearest, nearest_unit,
-};
+use crate::diag::{ArrayFact, Diag, EquationFact, Fact, GrammarFact, Kind, Known, NameFact, Range, ValueFact, Wanted};
 use crate::expr::{Arena, Exact, Expr, Leaf};
 use crate::hints::{BareNumbers, noted};
 use crate::names::{
@@ -12,6 +10,7 @@ use crate::names::{
 };
 use crate::quantity::{self, Ambient, Dim, InferredDim, Role};
 use crate::syntax::ast::{self, ExpressionKind};
+use crate::words::{nearest, nearest_unit};
 use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -316,13 +315,10 @@ impl Elaborator<'_> {
             if name == "t" {
                 return self.time(path.range, scope);
             }
-            let outer = self.names.visible(space, &name.to_string());
-            let is_number = outer.is_some_and(|group| self.names.group(group).sort.may_be_number());
-            let own = scope.body.filter(|_| !is_number).map(|body| self.names.frames[body.0].space);
-            if let Some((own, group)) = own.and_then(|own| Some((own, self.names.find(own, &name.to_string())?))) {
+            if let Some((own, group)) = self.names.own_mark(scope, &name.to_string()) {
                 return self.visible(path.range, group, own);
             }
-            if let Some(group) = outer {
+            if let Some(group) = self.names.visible(space, &name.to_string()) {
                 self.input_may_stand(group, path.range, scope)?;
                 return self.visible(path.range, group, space);
             }

@@ -2,13 +2,14 @@
 
 use super::elaborate::Elaborator;
 use super::{Body, BodyCoordinate, Name, Requirement};
-use crate::diag::{NameFact, Range, ValueFact, nearest};
+use crate::diag::{NameFact, Range, ValueFact};
 use crate::expr::{Expr, Leaf};
 use crate::geometry::{Components, JointQuantity, quaternion};
 use crate::model::{DECLARED, JointStart};
 use crate::names::{Context, EntityId, Fixed, FixedValue, FrameId, FrameScope, Key, Register, Scope, Value};
 use crate::quantity::{Ambient, Dim, InferredDim, Role};
 use crate::syntax::ast;
+use crate::words::nearest;
 use std::collections::BTreeSet;
 
 impl Elaborator<'_> {

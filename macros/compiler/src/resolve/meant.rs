@@ -96,15 +96,15 @@ impl Elaborator<'_> {
 
     /// Refuses a number that is a force, or a torque in space.
     pub(super) fn is_directed(&mut self, applied: &ast::Applied, frame: FrameId, scope: &Scope) -> Option<()> {
-        if !matches!(self.value(&applied.value, scope)?, Value::Scalar(_)) {
-            return Some(());
-        }
+        let Value::Scalar(scalar) = self.value(&applied.value, scope)? else { return Some(()) };
         let (value, ambient) = (applied.value.to_string(), self.names.ambient);
         let fact = if applied.is_torque {
             let axis = self.names.an_axis_of(frame).map(|axis| format!("{}.{axis}", self.names.frames[frame.0].name));
             MotionFact::TorqueWithoutAxis { torque: value, axis }
         } else {
-            MotionFact::ForceWithoutDirection { force: value, ambient }
+            let is_torque = scalar.measure.settled().agrees(Dim::TORQUE);
+            let on = is_torque.then(|| self.names.frames[frame.0].name.clone());
+            MotionFact::ForceWithoutDirection { force: value, ambient, on }
         };
         self.refuse(applied.value.range, fact)
     }

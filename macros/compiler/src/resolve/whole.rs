@@ -2,7 +2,7 @@
 
 use super::elaborate::Elaborator;
 use super::{Layout, Method, Model, Name, Parameter};
-use crate::diag::{Diag, NameFact, Range, ValueFact, nearest};
+use crate::diag::{Diag, NameFact, Range, ValueFact};
 use crate::hints::{self, in_words, with_bare_bounds};
 use crate::names::{
     Context, Declared, Entity, EntityId, FunctionValue, INPUT_PARTS, Key, Names, PartArguments, Progress, Register, Scalar, Scope, Value,
@@ -10,6 +10,7 @@ use crate::names::{
 };
 use crate::quantity::{self, Dim, InferredDim};
 use crate::syntax::ast::{self, Definition};
+use crate::words::nearest;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 

@@ -143,6 +143,12 @@ fn power(input: ParseStream, room: u16) -> Parsed<Expression> {
 fn postfix(input: ParseStream, room: u16) -> Parsed<Expression> {
     let mut value = atom(input, room)?;
     loop {
+        if let (true, ExpressionKind::Number { digits, unit }) = (input.peek(token::Bracket), &value.kind)
+            && unit.is_empty()
+        {
+            let instead = format!("{digits}{}", brackets(input)?.0);
+            return wrong(value.range, GrammarFact::Misspelt { flaw: "a unit stands right behind its number, without brackets", instead });
+        }
         if input.peek(token::Bracket) {
             let (index, range) = self::index(input, deeper(room, input.span().into())?)?;
             let range = value.range.to(range);

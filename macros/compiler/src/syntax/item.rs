@@ -17,8 +17,9 @@ use super::tokens::{
     Parsed, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, mentions_masses, name, name_before_block,
     parentheses, path, report, semicolon, skip_item, skip_to_block, visibility, wrong,
 };
-use crate::diag::{ArrayFact, Diag, GrammarFact, Home, Range, ValueFact, Word, home};
+use crate::diag::{ArrayFact, Diag, GrammarFact, Range, ValueFact, Word};
 use crate::quantity::Ambient;
+use crate::words::{Home, home};
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
@@ -219,6 +220,9 @@ fn unknown_item<T>(input: ParseStream, keyword: &Ident, ambient: Ambient) -> Par
     }
     // A call of a constraint or a force lacks the keyword, and its name or `=`.
     let is_call = if name.is_some() { rest.peek(Token![=]) && rest.peek2(token::Paren) } else { rest.peek(token::Paren) };
+    if let Some(instead) = without_keyword(&word, name.as_deref(), &rest)? {
+        return wrong(keyword, GrammarFact::Misspelt { flaw: "an item begins with its kind, and has a name", instead });
+    }
     let is_own = |call: &str| call.split_once('(').is_some_and(|(name, _)| name == word);
     let kind = match home(&word, ambient) {
         _ if word.starts_with("drive") => Some(Word::Drive),
@@ -236,6 +240,24 @@ fn unknown_item<T>(input: ParseStream, keyword: &Ident, ambient: Ambient) -> Par
         home => home,
     };
     wrong(keyword, GrammarFact::UnknownItem { word, name, home })
+}
+
+/// The item that was meant by `name = value` or, as in other languages, `type name = value`.
+fn without_keyword(word: &str, name: Option<&str>, rest: ParseStream) -> Parsed<Option<String>> {
+    const TYPES: [&str; 10] = ["double", "float", "real", "Real", "int", "f64", "f32", "var", "const", "auto"];
+    if !rest.peek(Token![=]) || rest.peek(Token![==]) {
+        return Ok(None);
+    }
+    if let Some(name) = name {
+        return Ok(TYPES.contains(&word).then(|| format!("let {name} = …;")));
+    }
+    rest.parse::<Token![=]>()?;
+    let call = rest.parse::<Ident>().ok().filter(|_| rest.peek(token::Paren));
+    Ok(Some(match call.map(|call| call.to_string()) {
+        Some(call) if call.starts_with("drive_") => format!("drive {word} = {call}(…);"),
+        Some(call) if !["sin", "cos", "sqrt", "norm", "min", "max"].contains(&call.as_str()) => format!("joint {word} = {call}(…);"),
+        _ => format!("let {word} = …;"),
+    }))
 }
 
 /// Checks that a name declared in a loop has an index; without it all its instances would have one name.

@@ -5,7 +5,7 @@
 use super::ast::{Closing, Docs, Following, Requests, Task};
 use super::tokens::{Attribute, Parsed, attributes, wrong};
 use crate::diag::GrammarFact;
-use crate::diag::nearest;
+use crate::words::nearest;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
 

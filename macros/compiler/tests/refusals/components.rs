@@ -32,7 +32,7 @@ crate::refusals! {
     item range_over_a_parameter: "param n: Number = 3; for i in 0..«n» { body b[i] {} }" => "how many there are cannot change at run time\nhelp: declare the number with `let`, such as `let count = 6;`";
     item range_backwards: "for i in «3..1» { body b[i] {} }" => "this loop runs over nothing: from 3 to below 1\nhelp: a loop counts upwards: write `1..=3`";
     item range_of_nothing: "for i in «2..2» { body b[i] {} }" => "this loop runs over nothing: from 2 to below 2\nhelp: for 2 alone write `2..=2`";
-    item range_without_end: "for i in 0 «{» body b[i] {} }" => "expected `..` or `..=` and the end of the range, found `{`";
+    item range_without_end: "for i in 0 «{» body b[i] {} }" => "expected `..` or `..=` and the end of the range, found `{`\nhelp: write `for i in 0..3 { … }`";
     item range_too_long: "for i in «0..1000000» { body b[i] {} }" => "this loop has 1000000 rounds, at most 10000 are possible";
     item name_in_a_range_is_unknown: "for i in 0..«legs» { body b[i] {} }" => "nothing is called `legs` here";
     item array_without_index: "body b[0] {} output o = «b».x;" => "`b` is an array\nhelp: say which one, such as `b[0]`";

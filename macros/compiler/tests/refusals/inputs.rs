@@ -17,7 +17,7 @@ refusals! {
         => "a joint does not change with time, the input `q` is for drives\nhelp: write `drive j = …;` for `joint j = …;`";
     item input_in_a_component:
         "component Leg(P: Point) { input «knee»: Angle; body b { } joint j = revolute(P, b.position); }"
-        => "`input` stands in the mechanism itself, not in a component or a loop\nhelp: move it out";
+        => "`input` stands in the mechanism itself, not in a component\nhelp: move it out";
     item body_called_inputs:
         "input theta: Angle; body «inputs» { }"
         => "the inputs of a mechanism are its field `inputs`\nhelp: choose another name";

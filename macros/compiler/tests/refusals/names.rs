@@ -1,6 +1,14 @@
 //! Undeclared names.
 
 crate::refusals! {
+    item pi_as_a_unit: "let a = «2pi»;" => "no unit is called `pi`\nhelp: write `2 * pi`";
+    item the_time_as_a_unit: "drive b = drive_angle(ram, «2t» * 1rad_s);" => "no unit is called `t`\nhelp: of the time write `2 * t`; a tonne is `1000kg`";
+    item pi_of_c: "let a = 2 * «M_PI»;" => "nothing is called `M_PI` here\nhelp: write `pi`";
+    item a_module_of_python: "let a = «math».pi;" => "nothing is called `math` here\nhelp: functions and `pi` stand by themselves, as in `sin(pi * t / 1s)`";
+    item a_power_of_e: "let a = «e»^2;" => "nothing is called `e` here\nhelp: write `exp(x)` for a power of e";
+    item a_velocity_by_a_letter: "output b = crank.«vx»;" => "`crank` has no `vx`\nhelp: write `rate(…)` of a point or of a number, as in `rate(body.position)`";
+    item a_jacobian: "output b = «jacobian»(crank.A);" => "no function is called `jacobian`: derivatives are computed for a state, in Rust\nhelp: write `mechanism.derivatives(&state)` there";
+    item the_least_of_three: "let a = «min»(1, 2, 3);" => "`min` takes 2 arguments, found 3\nhelp: write `min(min(a, b), c)`";
     item the_center_of_a_body: "output b = crank.«center»;" => "`crank` has no `center` that expressions can read\nhelp: declare a point at the centre of mass; weight acts by `gravity = …;`";
     item a_point_of_another_body: "body c { mass = 1kg; center = «A»; }" => "`crank.A` belongs to another body, and what stands in a body is written in its own coordinates\nhelp: name the coordinates with `let c = (…);`, and write `c` for both";
     item points_that_lead_to_each_other: "body c { point «P» = Q + (1m, 0m); point Q = P; }" => "`P` depends on itself, by way of `c.Q`";

@@ -1,6 +1,16 @@
 //! Mistakes of grammar.
 
 crate::refusals! {
+    item a_unit_in_brackets: "let a = «100»[mm];" => "a unit stands right behind its number, without brackets\nhelp: write `100mm`";
+    item a_joint_without_its_word: "«pin» = revolute(ground.C, ram.B);" => "an item begins with its kind, and has a name\nhelp: write `joint pin = revolute(…);`";
+    item a_drive_without_its_word: "«turn» = drive_angle(ram, 60rpm * t);" => "an item begins with its kind, and has a name\nhelp: write `drive turn = drive_angle(…);`";
+    item a_value_without_its_word: "«radius» = 100mm;" => "an item begins with its kind, and has a name\nhelp: write `let radius = …;`";
+    item a_value_with_a_type: "«double» radius = 100mm;" => "an item begins with its kind, and has a name\nhelp: write `let radius = …;`";
+    item a_comment_of_matlab: "«%» a comment" => "expected an item: `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `start`, `output`, `range`, `part`, `for`, `component`, `function` or `use`, found `%`\nhelp: a comment begins with `//`";
+    item a_body_from_a_component: "body leg «=» Leg(1m);" => "expected `{` and the points of the body, found `=`\nhelp: write `body name { … }`; a part that is made of a component is `part name = Component(…);`";
+    item a_start_without_its_word: "body b { «angle» = 70deg; }" => "`angle` is no item of a body\nhelp: write `start angle = …;` for about where the body is at t = 0";
+    item two_conditions_in_words: "let a = if length > 1m «and» length < 2m { 1 } else { 2 };" => "expected `{ value }`, found `and`\nhelp: a choice has one condition: choose twice, as in `if a < b { if c < d { x } else { y } } else { y }`";
+    item a_chain_of_comparisons: "let a = if 1m < length «<» 2m { 1 } else { 2 };" => "expected `{ value }`, found `<`\nhelp: a choice has one condition: choose twice, as in `if a < b { if c < d { x } else { y } } else { y }`";
     item a_joint_with_bounds: "joint pin = revolute(ground.C, ram.B) «in» -90deg..90deg;" => "bounds belong to a parameter, as in `param a: Length = 1m in 0m..;`\nhelp: forces that end a motion are `stop`, `stop_along` and `torsion_stop`";
     item a_closure: "drive b = drive_angle(ram, «|»t| 60rpm * t);" => "a law is an expression of `t`, not a closure\nhelp: write `60rpm * t`";
     item a_percentage: "param ratio: Number = «20%»;" => "`%` is the rest of a division\nhelp: write `0.2`";

@@ -41,7 +41,7 @@ crate::refusals! {
     item function_of_time: "function f(a: Angle) -> Length = 1mm / 1s * «t»;" => "a function of one variable does not change with time: `t` cannot be used in it";
     item function_without_argument: "function f(Angle) -> Length = «2mm»;" => "a function written here names its argument\nhelp: write `function name(x: Angle) -> Length = …;`, or give the path of a Rust function";
     item equality_in_a_choice: "output b = if «length == 1» { 1 } else { 2 };" => "equality of measured numbers is an accident\nhelp: compare with `<`, `<=`, `>` or `>=`";
-    item list_outside_a_table: "output b = «[1, 2]»;" => "a list can only be an argument of `table`, `spline` or `segments`\nhelp: a vector is written `(x, y)`";
+    item list_outside_a_table: "output b = «[1, 2]»;" => "a list can only be an argument of `table`, `spline` or `segments`\nhelp: a vector is written `(x, y)`, in space `(x, y, z)`; of an array each element has a line of its own, `let a[0] = …;`";
     item table_of_no_list: "output b = table(crank.angle, «5»);" => "expected a list of pairs, such as `[(0deg, 0mm), (90deg, 5mm)]`";
     item table_of_no_pairs: "output b = table(crank.angle, [«1», 2]);" => "expected a pair, such as `(90deg, 5mm)`";
     item table_of_triples: "output b = table(crank.angle, [«(0deg, 1mm, 2mm)»]);" => "expected a pair, such as `(90deg, 5mm)`";
@@ -277,6 +277,10 @@ fn expressions_that_are_often_meant_otherwise_are_doubted() {
                  `Frequency`";
     assert_eq!(plane("param f: Frequency = 5; let s = sin(f * t);"), [turns]);
     assert_eq!(plane("param f: Frequency = 5; let s = sin(2 * pi * f * t);"), Vec::<String>::new());
+    assert_eq!(plane("param f: Frequency = 5; drive d = drive_angle(b, f * t);"), [turns]);
+    assert_eq!(plane("param f: Frequency = 5; drive d = drive_angle(b, 1turn * f * t);"), Vec::<String>::new());
+    let massless = "gravity acts on masses, and no body has one\nhelp: write `mass = 1kg;` in a body, or take `gravity` away";
+    assert_eq!(plane("gravity = (0, -9.81m_s2);"), [massless]);
     let jumps = "a change of `w` acts over all the time before it: `w * t` jumps\nhelp: a commanded speed is a `param` of a mechanism that is \
                  `#[integrated]`: see the page on control loops";
     assert_eq!(plane("input w: AngularVelocity; drive d = drive_angle(b, w * t);"), [jumps]);

@@ -37,7 +37,7 @@ pub enum MotionFact {
     InertiaOfVector { inertia: Option<String> },
     TorqueWithoutAxis { torque: String, axis: Option<String> },
     TorqueWithAxis { body: String, torque: Option<String> },
-    ForceWithoutDirection { force: String, ambient: Ambient },
+    ForceWithoutDirection { force: String, ambient: Ambient, on: Option<String> },
     ForceAtNoPoint { found: Kind, instead: Option<String> },
     TorqueOnNoBody { found: Kind, instead: Option<String> },
     EquationWithoutBraces { word: Word, name: String, equation: String },

@@ -105,6 +105,7 @@ pub enum SystemFact {
     DrivesContend {
         drives: Vec<String>,
         declared_free: Vec<String>,
+        numbers: usize,
         freedoms: usize,
         joints: Vec<String>,
         coordinates: Vec<String>,

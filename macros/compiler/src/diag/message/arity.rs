@@ -68,6 +68,7 @@ impl Display for ArityFact {
                         write!(f, "\nhelp: a vector has parentheses of its own, as in `{name}((…))`")
                     }
                     (1, "dwell") => write!(f, "\nnote: `dwell(duration)`"),
+                    (2, "min" | "max") if *found > 2 => write!(f, "\nhelp: write `{name}({name}(a, b), c)`"),
                     (2, _) => write!(f, "\nnote: `{name}(a, b)`"),
                     _ => Ok(()),
                 }

@@ -36,7 +36,7 @@ impl Display for ArrayFact {
                 // As arrays are declared in C.
                 let in_c = known.strip_suffix(']').and_then(|known| known.rsplit_once('[')).filter(|_| *is_alone);
                 let Some((name, number)) = in_c.filter(|(name, number)| !name.ends_with(']') && *number != "1") else { return Ok(()) };
-                let noun = what.split_once(' ').map_or(*what, |(_, noun)| noun);
+                let noun = what.split_once(' ').map_or(*what, |(_, noun)| noun).replace("parameter", "param");
                 write!(f, "; {number} of them are written `for i in 0..{number} {{ {noun} {name}[i] … }}`")
             }
             ArrayFact::NotWhole { found } => {

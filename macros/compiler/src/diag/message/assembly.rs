@@ -39,9 +39,9 @@ impl Display for AssemblyFact {
             AssemblyFact::ForceWithoutValue { force } => {
                 write!(
                     f,
-                    "`{force}` has no value at the start: a root of something negative, or a division by zero, such as by a speed at rest"
+                    "`{force}` has no value at the start: a root of something negative, a direction between points that coincide, or a division by zero, as by a speed at rest"
                 )?;
-                write!(f, "\nhelp: declare a `start` at which it has one, or a law with a value there")
+                write!(f, "\nhelp: let the motion begin elsewhere, or write a law that has a value there")
             }
             AssemblyFact::HasNoRate { joint, row, of } => {
                 write!(f, "{} of `{joint}` has no finite first and second derivative by time at t = 0", equation(*row, *of))?;

@@ -1,7 +1,8 @@
 //! Messages about tokens that are not a valid declaration.
 
 use super::words::{did_you_mean, is_acceleration, is_rate, listed, shortened};
-use crate::diag::{GrammarFact, Home, foreign};
+use crate::diag::GrammarFact;
+use crate::words::{Home, foreign};
 use std::fmt::{Display, Formatter, Result};
 
 /// Words for what is done with a mechanism.
@@ -85,11 +86,14 @@ impl Display for GrammarFact {
                         write!(f, "\nhelp: an output has its rate and its acceleration already: write it without `with`")
                     }
                     ("`jerk` after `with`", found) => {
-                        write!(f, "{}", did_you_mean(&crate::diag::nearest(found.trim_matches('`'), ["jerk"].into_iter())))
+                        write!(f, "{}", did_you_mean(&crate::words::nearest(found.trim_matches('`'), ["jerk"].into_iter())))
                     }
                     ("`{ value }`", "`then`") => write!(f, "\nhelp: write `if a < b {{ x }} else {{ y }}`"),
                     ("`=`", "`:`") => {
                         write!(f, "\nhelp: a value stands behind `=`; only parameters and inputs have `:` and a dimension before it")
+                    }
+                    ("`{` and the points of the body", "`=`") => {
+                        write!(f, "\nhelp: write `body name {{ … }}`; a part that is made of a component is `part name = Component(…);`")
                     }
                     ("`{` and the points of the body", _) => {
                         write!(f, "\nhelp: write `body name {{ … }}`, a name is one word; a body without points is `body name {{}}`")
@@ -103,7 +107,14 @@ impl Display for GrammarFact {
                     ("`x`, `y`, `angle` or `position`", "`=`" | "`{`") => {
                         write!(f, "\nhelp: say of which coordinate, as in `start x = 200mm;` or `start position = (200mm, 0mm);`")
                     }
-                    (what, "`-`") if what.starts_with("an item: ") => write!(f, "\nhelp: a comment begins with `//`"),
+                    ("`{ value }`", "`and`" | "`or`" | "`<`" | "`>`" | "`<=`" | "`>=`") => {
+                        write!(
+                            f,
+                            "\nhelp: a choice has one condition: choose twice, as in `if a < b {{ if c < d {{ x }} else {{ y }} }} else {{ y }}`"
+                        )
+                    }
+                    ("`..` or `..=` and the end of the range", _) => write!(f, "\nhelp: write `for i in 0..3 {{ … }}`"),
+                    (what, "`-`" | "`%`") if what.starts_with("an item: ") => write!(f, "\nhelp: a comment begins with `//`"),
                     _ => Ok(()),
                 }
             }
@@ -192,7 +203,7 @@ impl Display for GrammarFact {
             GrammarFact::UnknownItem { word, .. } => {
                 // Words as short as `for` resemble many others: they are tried last.
                 let (rare, often): (Vec<&str>, Vec<&str>) = ITEMS.iter().partition(|known| matches!(**known, "part" | "for" | "range"));
-                let near = crate::diag::nearest;
+                let near = crate::words::nearest;
                 let near = near(word, often.into_iter()).or_else(|| near(word, rare.into_iter()));
                 write!(f, "`{word}` is no item of a mechanism{}", did_you_mean(&near))?;
                 write!(f, "\nnote: items are {}", listed(ITEMS.into_iter()))
@@ -259,7 +270,7 @@ impl Display for GrammarFact {
             }
             GrammarFact::UnknownBodyItem { word, is_point: true } => {
                 write!(f, "`{word}` is no item of a body")?;
-                match crate::diag::nearest(word, ["mass", "center", "inertia"].into_iter()) {
+                match crate::words::nearest(word, ["mass", "center", "inertia"].into_iter()) {
                     Some(near) => write!(f, "\nhelp: did you mean `{near}`?"),
                     None => write!(f, "\nhelp: write `point {word} = (…);` for a point"),
                 }
@@ -272,10 +283,13 @@ impl Display for GrammarFact {
             }
             GrammarFact::UnknownBodyItem { word, .. } => {
                 write!(f, "`{word}` is no item of a body")?;
+                if ["x", "y", "z", "angle", "position", "orientation"].contains(&word.as_str()) {
+                    return write!(f, "\nhelp: write `start {word} = …;` for about where the body is at t = 0");
+                }
                 if ITEMS.contains(&word.as_str()) {
                     return write!(f, "\nhelp: it stands in the mechanism: move it out of the body");
                 }
-                let near = crate::diag::nearest(word, BODY_ITEMS.into_iter());
+                let near = crate::words::nearest(word, BODY_ITEMS.into_iter());
                 write!(f, "{}", did_you_mean(&near))?;
                 if near.is_none() && ["length", "width", "height", "size", "radius"].contains(&word.as_str()) {
                     write!(f, "\nhelp: a body is as large as its points say, such as `point end = (300mm, 0mm);`")?;
@@ -314,7 +328,8 @@ impl Display for GrammarFact {
             }
             GrammarFact::ExponentTooLarge { limit } => write!(f, "the exponent of a dimension is at most {limit}"),
             GrammarFact::OnlyAtTheTop { word } => {
-                write!(f, "`{word}` stands in the mechanism itself, not in a component or a loop\nhelp: move it out")
+                let place = if word == "input" { "a component" } else { "a component or a loop" };
+                write!(f, "`{word}` stands in the mechanism itself, not in {place}\nhelp: move it out")
             }
             GrammarFact::StartInLoop => write!(f, "a body starts once: `start` cannot be repeated\nhelp: move it out of the loop"),
             GrammarFact::StartOfJoint => {

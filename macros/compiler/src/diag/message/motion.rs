@@ -48,6 +48,7 @@ impl Display for MotionFact {
             }
             MotionFact::InertiaOfNumbers { found, first } => {
                 write!(f, "the inertia of a body in space is three numbers or six, found {found}")?;
+                let first = if first.starts_with('[') { "0.1kgm2" } else { first };
                 write!(f, "\nhelp: write `({first}, {first}, {first})` for I_xx, I_yy, I_zz, or a shape such as `ball(30mm)`")
             }
             MotionFact::InertiaAlongInPlane { inertia } => {
@@ -72,11 +73,17 @@ impl Display for MotionFact {
                 let torque = torque.as_deref().unwrap_or("5Nm");
                 write!(f, "\nhelp: write `on {body}: {torque};`, or `at {body}.position: (5N, 0N);` for a force")
             }
-            MotionFact::ForceWithoutDirection { force, ambient } => {
+            MotionFact::ForceWithoutDirection { force, ambient, on } => {
                 write!(f, "a force is a vector in ground, found a number\nhelp: write ")?;
-                match ambient {
-                    Ambient::Plane => write!(f, "`({force}, 0N)` for a force along x, `{force} * unit(v)` for one along a vector `v`"),
-                    Ambient::Space => write!(f, "`({force}, 0N, 0N)` for a force along x, `{force} * unit(v)` for one along a vector `v`"),
+                match (on, ambient) {
+                    (Some(body), Ambient::Plane) => write!(f, "`on {body}: {force};` for a torque"),
+                    (Some(body), Ambient::Space) => write!(f, "`on {body}: {force} * unit(v);` for a torque about a vector `v`"),
+                    (None, Ambient::Plane) => {
+                        write!(f, "`({force}, 0N)` for a force along x, `{force} * unit(v)` for one along a vector `v`")
+                    }
+                    (None, Ambient::Space) => {
+                        write!(f, "`({force}, 0N, 0N)` for a force along x, `{force} * unit(v)` for one along a vector `v`")
+                    }
                 }
             }
             MotionFact::ForceAtNoPoint { found, instead } => {

@@ -1,9 +1,10 @@
 //! Messages about names.
 
 use super::words::{declared, did_you_mean, first_of, is_acceleration, is_load, is_rate, is_velocity, list, listed, shortened};
-use crate::diag::elsewhere::equivalent;
-use crate::diag::{Home, NameFact, foreign, usual_dimension};
+use crate::diag::NameFact;
 use crate::quantity::{Dim, Role};
+use crate::words::equivalent;
+use crate::words::{Home, foreign, usual_dimension};
 use std::fmt::{Display, Formatter, Result};
 
 /// The units that are named where no unit is near.
@@ -38,7 +39,15 @@ impl Display for NameFact {
             NameFact::UnknownName { name, near: None, .. } if name == "z" => {
                 write!(f, "nothing is called `z` here\nhelp: write `(0, 0, 1)` for the direction of z")
             }
-            NameFact::UnknownName { name, .. } if name == "π" => write!(f, "nothing is called `π` here\nhelp: write `pi`"),
+            NameFact::UnknownName { name, .. } if ["π", "M_PI", "Pi"].contains(&name.as_str()) => {
+                write!(f, "nothing is called `{name}` here\nhelp: write `pi`")
+            }
+            NameFact::UnknownName { name, .. } if ["math", "Math", "np", "numpy", "cmath"].contains(&name.as_str()) => {
+                write!(f, "nothing is called `{name}` here\nhelp: functions and `pi` stand by themselves, as in `sin(pi * t / 1s)`")
+            }
+            NameFact::UnknownName { name, near: None, .. } if name == "e" => {
+                write!(f, "nothing is called `e` here\nhelp: write `exp(x)` for a power of e")
+            }
             NameFact::UnknownName { name, near: None, .. } if ["loads", "energy"].contains(&name.as_str()) => {
                 let word = if name == "loads" { "loads" } else { "energies" };
                 write!(f, "nothing is called `{name}` here\nnote: {word} are computed for a state, in Rust")?;
@@ -161,6 +170,12 @@ impl Display for NameFact {
             }
             NameFact::UnknownUnit { name, .. } if name.eq_ignore_ascii_case("Hz") => {
                 write!(f, "no unit is called `{name}`\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`")
+            }
+            NameFact::UnknownUnit { number, name, .. } if name == "pi" => {
+                write!(f, "no unit is called `pi`\nhelp: write `{number} * pi`")
+            }
+            NameFact::UnknownUnit { number, name, .. } if name == "t" => {
+                write!(f, "no unit is called `t`\nhelp: of the time write `{number} * t`; a tonne is `1000kg`")
             }
             NameFact::UnknownUnit { name, .. } if name == "nm" => {
                 write!(f, "no unit is called `nm`\nhelp: a torque is in `Nm`; a nanometre is `0.001um`")

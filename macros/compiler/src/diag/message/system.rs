@@ -215,10 +215,16 @@ impl Display for SystemFact {
                 }
                 if free.is_empty() { Ok(()) } else { write!(f, ", or declare {}", list(free)) }
             }
-            SystemFact::DrivesContend { drives, freedoms, joints, coordinates, free, in_space, .. } => {
+            SystemFact::DrivesContend { drives, numbers, freedoms, joints, coordinates, free, in_space, .. } => {
                 let (many, few) = (counted(drives.len()), counted(*freedoms));
                 let freedom = if *freedoms == 1 { "freedom" } else { "freedoms" };
-                write!(f, "{many} drives on {few} {freedom}: {}", list(drives))?;
+                match *numbers > drives.len() {
+                    false => write!(f, "{many} drives on {few} {freedom}: {}", list(drives))?,
+                    true => {
+                        let give = if drives.len() == 1 { "gives" } else { "give" };
+                        write!(f, "{} {give} {} numbers for {few} {freedom}", list(drives), counted(*numbers))?;
+                    }
+                }
                 match coordinates.as_slice() {
                     [only] => write!(f, "\nnote: both determine `{only}`")?,
                     _ if joints.is_empty() => write!(f, "\nnote: they determine {}", list(coordinates))?,
@@ -226,6 +232,9 @@ impl Display for SystemFact {
                         write!(f, "\nnote: {} {} {few} {freedom}", list(joints), if joints.len() == 1 { "leaves" } else { "leave" })?;
                         if *in_space { write!(f, " in {}", list(coordinates)) } else { Ok(()) }?;
                     }
+                }
+                if free.is_empty() && *numbers > drives.len() {
+                    return write!(f, "\nhelp: give as many as there are freedoms: of a point one coordinate, such as `.x`");
                 }
                 if free.is_empty() && drives.len() > freedoms + 1 {
                     return write!(f, "\nhelp: take {} of the drives away", drives.len() - freedoms);

@@ -193,7 +193,10 @@ impl Display for ValueFact {
                 write!(f, "equality of measured numbers is an accident\nhelp: compare with `<`, `<=`, `>` or `>=`")
             }
             ValueFact::ListOutsideTable => {
-                write!(f, "a list can only be an argument of `table`, `spline` or `segments`\nhelp: a vector is written `(x, y)`")
+                write!(
+                    f,
+                    "a list can only be an argument of `table`, `spline` or `segments`\nhelp: a vector is written `(x, y)`, in space `(x, y, z)`; of an array each element has a line of its own, `let a[0] = …;`"
+                )
             }
             ValueFact::TableArity { found } => {
                 write!(f, "`table` takes 2 or 3 arguments, found {found}\nnote: `table(x, [(x0, y0), (x1, y1), …], periodic)`")

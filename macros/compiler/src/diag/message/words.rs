@@ -131,7 +131,7 @@ pub(super) fn equation(row: usize, of: usize) -> String {
 
 /// True for words for a velocity.
 pub(super) fn is_rate(name: &str) -> bool {
-    ["rate", "velocity", "speed", "vel", "dot"].contains(&name)
+    ["rate", "velocity", "speed", "vel", "dot", "vx", "vy", "vz"].contains(&name)
 }
 
 /// True for words for velocities at the start.

@@ -1,7 +1,7 @@
 //! Functions of other languages, with their equivalents here.
 
 /// Names of functions, the reason why there is none of these names, if it is not obvious, and what to write.
-const FUNCTIONS: [(&[&str], &str, &str); 35] = [
+const FUNCTIONS: [(&[&str], &str, &str); 38] = [
     (&["pow", "powi", "powf", "power", "sqr", "square", "squared"], "", "a power is written `a^b`"),
     (&["cbrt"], "", "for x > 0 it is the power `x^(1/3)`"),
     (&["hypot"], "", "write `sqrt(a^2 + b^2)`"),
@@ -33,7 +33,7 @@ const FUNCTIONS: [(&[&str], &str, &str); 35] = [
         "write a law that repeats, such as `segments(…, periodic)`, or `if x < 0 { a } else { b }`",
     ),
     (&["if_else", "ifelse", "iif", "iff", "select", "choose"], "", "write `if x < 0 { a } else { b }`"),
-    (&["clamp", "clip", "saturate", "saturation", "limit"], "", "write `min(max(x, low), high)`"),
+    (&["clamp", "clip", "sat", "saturate", "saturation", "limit"], "", "write `min(max(x, low), high)`"),
     (&["lerp", "mix"], "", "write `a + (b - a) * u`"),
     (
         &["interp", "interp1", "interp1d", "interpolate", "lookup", "piecewise", "pchip", "akima"],
@@ -64,6 +64,17 @@ const FUNCTIONS: [(&[&str], &str, &str); 35] = [
         ": angles have no unit inside a mechanism",
         "an angle in degrees is written `60deg`; outputs are in rad, and `.to_degrees()` is written in Rust",
     ),
+    (
+        &["jacobian", "gradient", "partial"],
+        ": derivatives are computed for a state, in Rust",
+        "write `mechanism.derivatives(&state)` there",
+    ),
+    (
+        &["rand", "random", "randn", "noise"],
+        ": a mechanism moves in the same way each time",
+        "declare an `input` or a `param`, and give its value in Rust",
+    ),
+    (&["dirac", "impulse"], ": no force is infinite", "let a freedom begin with a rate, as in `freedom q = arm.angle at 3rad_s;`"),
     (&["cot"], "", "write `1 / tan(x)`"),
     (&["sec", "csc"], "", "write `1 / cos(x)` or `1 / sin(x)`"),
     (&["dist", "distance_between"], "", "the distance of two points is `norm(Q - P)`"),
@@ -72,7 +83,7 @@ const FUNCTIONS: [(&[&str], &str, &str); 35] = [
         ": energies are computed for a state, in Rust",
         "write `mechanism.energy(&state)` there, with `kinetic` and `potential`",
     ),
-    (&["radians", "to_radians", "deg2rad"], "", "an angle in degrees has a unit, such as `30deg`; of a number it is `x * 1deg`"),
+    (&["rad", "radians", "to_radians", "deg2rad"], "", "an angle in degrees has a unit, such as `30deg`; of a number it is `x * 1deg`"),
 ];
 
 /// The reason and what to write instead of a function of another language; `None` for a name that is not in the table.

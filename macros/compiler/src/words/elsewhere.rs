@@ -20,6 +20,7 @@ const EQUIVALENTS: &[(&str, &str)] = &[
     ("ton", "1000kg"),
     ("lbs", "1lb"),
     ("rps", "60rpm"),
+    ("rev_s", "60rpm"),
     ("rev_min", "1rpm"),
     ("daN", "10N"),
     ("krpm", "1000rpm"),
@@ -57,7 +58,7 @@ const EQUIVALENTS: &[(&str, &str)] = &[
 ];
 
 /// One of a unit that the language lacks, in units that it has.
-pub(super) fn equivalent(unit: &str) -> Option<&'static str> {
+pub(crate) fn equivalent(unit: &str) -> Option<&'static str> {
     EQUIVALENTS.iter().find(|(name, _)| *name == unit).map(|(_, equivalent)| *equivalent)
 }
 
