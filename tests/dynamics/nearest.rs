@@ -6,7 +6,8 @@ use reuleaux::nalgebra::Vector3;
 mechanism! {
     #[allow(far_start)]
     mechanism Bob in space {
-        body bob { point c = (0.2m, 0m, 0m);  mass = 1kg;  inertia = ball(0.1m);  start position = (0m, 0.3m, 0.1m); }
+        param length: Length = 200mm;
+        body bob { point c = (length, 0m, 0m);  mass = 1kg;  inertia = ball(0.1m);  start position = (0m, 0.3m, 0.1m); }
         joint ball = spherical((0m, 0m, 0m), bob.c);
         freedom turning = bob.angular_velocity;
     }
@@ -86,6 +87,40 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// A driven loop of which no angle is declared.
+    mechanism Loop {
+        ground { point C = (400mm, 0mm); }
+        body crank { point A = (100mm, 0mm); }
+        body coupler { point B = (350mm, 0mm); }
+        body rocker { point B = (300mm, 0mm); }
+        joint o = revolute(ground.position, crank.position);
+        joint a = revolute(crank.A, coupler.position);
+        joint b = revolute(coupler.B, rocker.B);
+        joint c = revolute(ground.C, rocker.position);
+        drive turn = drive_angle(crank, 60deg + 1rad_s * t);
+    }
+}
+
+mechanism! {
+    #[allow(far_start)]
+    /// The same beside a bob, with which nothing links it.
+    mechanism Beside {
+        ground { point C = (400mm, 0mm); }
+        body crank { point A = (100mm, 0mm); }
+        body coupler { point B = (350mm, 0mm); }
+        body rocker { point B = (300mm, 0mm); }
+        joint o = revolute(ground.position, crank.position);
+        joint a = revolute(crank.A, coupler.position);
+        joint b = revolute(coupler.B, rocker.B);
+        joint c = revolute(ground.C, rocker.position);
+        drive turn = drive_angle(crank, 60deg + 1rad_s * t);
+        body bob { point c = (0.2m, 0m);  mass = 1kg;  inertia = 0.1kgm2;  start position = (0m, 0.3m); }
+        joint pin = revolute((1m, 0m), bob.c);
+        freedom turning = bob.angular_velocity;
+    }
+}
+
 /// The place of a body at the start, found within 1e-9 m.
 fn starts_at(found: Vector3<f64>, wanted: [f64; 3]) {
     assert!((found - Vector3::from(wanted)).norm() < 1e-9, "{found:?} instead of {wanted:?}");
@@ -101,6 +136,9 @@ macro_rules! place {
 fn a_place_out_of_reach_is_approached() {
     // The points of a sphere, or of a circle, nearest to the declared ones.
     starts_at(place!(Bob::default(), bob), (Vector3::new(0.0, 0.3, 0.1).normalize() * 0.2).into());
+    // With other parameters the bob stays turned as it is.
+    let shorter = place!(Bob { length: 0.1 }, bob);
+    starts_at(shorter, (Vector3::new(0.0, 0.3, 0.1).normalize() * 0.1).into());
     // The arm may turn freely: the hand is as far from the ball as it always is, in the declared direction.
     starts_at(place!(Welded::default(), hand), [0.05_f64.sqrt(), 0.0, 0.0]);
     starts_at(place!(Sliding::default(), ring), [0.0, 0.2, 0.1]);
@@ -113,7 +151,16 @@ fn a_place_in_reach_is_taken() {
     starts_at(place!(Reachable::default(), bob), [0.12, 0.16, 0.0]);
     starts_at(place!(Sides::default(), bob), [0.12, 0.16, 0.0]);
     starts_at(place!(Placed::default(), ring), [0.0, 0.2, 0.1]);
-    // The square of what is left decides how far the place is from its farthest.
+    // Near its farthest place a body moves with the square of what its steps have left.
     let stretched = place!(Stretched::default(), lower);
     assert!((stretched - Vector3::new(0.3, 0.0, 0.0)).norm() < 1e-5, "{stretched:?}");
+}
+
+#[test]
+fn a_loop_beside_it_begins_as_it_does_alone() {
+    let alone = Loop::default().solve(0.0).unwrap_or_else(|failure| panic!("{failure}"));
+    let beside = Beside::default().initial_state().unwrap_or_else(|stopped| panic!("{stopped}"));
+    for (one, two) in [(alone.coupler().angle, beside.coupler().angle), (alone.rocker().angle, beside.rocker().angle)] {
+        assert!((one - two).abs() < 1e-12, "{one} and {two}");
+    }
 }

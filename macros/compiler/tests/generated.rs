@@ -186,55 +186,51 @@ fn structs_allow_capitals_where_parameters_have_them() {
 /// Points, axes and centres that are written by others of their body are those that are written out.
 #[test]
 fn points_of_a_body_stand_for_their_coordinates() {
-    let expanded = |space: &str, marks: [&str; 2]| {
-        let [ground, bar] = marks;
-        let joint = if space.is_empty() { "revolute(ground.C, bar.B)" } else { "revolute(ground.C, ground.u, bar.B, bar.n)" };
+    let expanded = |space: &str, ground: &str, bar: &str| {
+        let (inertia, joint, angle) = match space {
+            "" => ("0.1kgm2", "revolute(ground.C, bar.B)", "bar.angle"),
+            _ => ("(0.1kgm2, 0.1kgm2, 0.1kgm2)", "revolute(ground.C, ground.u, bar.B, bar.n)", "c.angle"),
+        };
         let declaration = format!(
             "mechanism Bar {space} {{
                 param length: Length = 300mm;
+                let D = length;
                 ground {{ {ground} }}
-                body bar {{ mass = 2kg; inertia = point; {bar} }}
+                body bar {{ mass = 2kg; inertia = {inertia}; {bar} }}
                 joint c = {joint};
-                freedom swing = bar.P.y - ground.C.y;
+                freedom swing = {angle};
                 output tip = bar.P;
             }}"
         );
-        let inertia = if space.is_empty() { "0.1kgm2" } else { "(0.1kgm2, 0.1kgm2, 0.1kgm2)" };
-        let tokens: TokenStream = declaration.replace("= point;", &format!("= {inertia};")).parse().expect("tokens");
-        reuleaux_compiler::mechanism(tokens).to_string()
+        reuleaux_compiler::mechanism(declaration.parse().expect("tokens")).to_string()
     };
-    assert_eq!(
-        expanded(
-            "",
-            [
-                "point O = (1m, 2m); point C = O + (3m, 0m);",
-                "point P = B + u * 2m + (E[1].y, 0m); point B = (length, 0m); center = (bar.B + bar.position) / 2; axis u = (0, 1);
-                 for i in 0..2 { point E[i] = (0m, 1m * i); }",
-            ],
-        ),
-        expanded(
-            "",
-            [
-                "point O = (1m, 2m); point C = (4m, 2m);",
-                "point P = (length + 1m, 2m); point B = (length, 0m); center = (length / 2, 0m); axis u = (0, 1);
-                 for i in 0..2 { point E[i] = (0m, 1m * i); }",
-            ],
-        ),
-    );
-    assert_eq!(
-        expanded(
-            "in space",
-            [
-                "point C = (1m, 2m, 3m); axis u = (0, 0, 1);",
-                "axis u = (0, 2, 0); axis n = cross(P - B, u) / 1m; point B = (0m, 0m, 1m); point P = (length, 0m, B.z); center = B / 2;"
-            ],
-        ),
-        expanded(
-            "in space",
-            [
-                "point C = (1m, 2m, 3m); axis u = (0, 0, 1);",
-                "axis u = (0, 2, 0); axis n = (0, 0, 2 * length / 1m); point B = (0m, 0m, 1m); point P = (length, 0m, 1m); center = (0m, 0m, 1m / 2);"
-            ],
-        ),
-    );
+    let [one, two] = [
+        [
+            "point O = (1m, 2m); point C = O + (3m, 0m);",
+            "point P = B + u * 2m + (E[1].y, 0m); point B = (length, 0m); center = (bar.B + bar.position) / 2; axis u = (0, 1);
+             for i in 0..2 { point E[i] = (0m, 1m * i); } point D = (length, 5m); point F = (D, 0m);",
+        ],
+        [
+            "point O = (1m, 2m); point C = (4m, 2m);",
+            "point P = (length + 1m, 2m); point B = (length, 0m); center = (length / 2, 0m); axis u = (0, 1);
+             for i in 0..2 { point E[i] = (0m, 1m * i); } point D = (length, 5m); point F = (length, 0m);",
+        ],
+    ]
+    .map(|[ground, bar]| expanded("", ground, bar));
+    assert!(one == two && !one.contains("compile_error"), "{one}\n{two}");
+    // An axis keeps the direction from which angles count.
+    let [one, two] = [
+        [
+            "point C = (1m, 2m, 3m); axis u = (0, 0, 1); axis v = (0, 2, 0) from (0, 0, 1);",
+            "axis u = (0, 2, 0) from (0, 0, 1); axis n = cross(P - B, u) / 1m; point B = (0m, 0m, 1m); axis w = x_axis(u);
+             point P = (length, 0m, B.z); center = B / 2;",
+        ],
+        [
+            "point C = (1m, 2m, 3m); axis u = (0, 0, 1); axis v = (0, 2, 0) from (0, 0, 1);",
+            "axis u = (0, 2, 0) from (0, 0, 1); axis n = (0, 0, 2 * length / 1m); point B = (0m, 0m, 1m); axis w = x_axis(ground.v);
+             point P = (length, 0m, 1m); center = (0m, 0m, 1m / 2);",
+        ],
+    ]
+    .map(|[ground, bar]| expanded("in space", ground, bar));
+    assert!(one == two && !one.contains("compile_error"), "{one}\n{two}");
 }

@@ -26,7 +26,8 @@ pub(super) fn check(model: &Model, system: &System, assembly: &Assembly, dynamic
     })
 }
 
-/// Refuses a force in the plane that is no number where the mechanism is assembled. One that depends on speeds is judged where nothing moves.
+/// Refuses a force in the plane that is no number where the mechanism is assembled; in space the entries of a state behind its unknowns are not
+/// at hand here. A force that depends on speeds is judged where nothing moves.
 fn forces_have_values(numeric: &Numeric, assembly: &Assembly, dynamics: &Dynamics, diag: &mut Diag) -> Option<()> {
     let (model, system) = (numeric.model, numeric.system);
     let zeros = vec![0.0; system.coordinates.len()];
@@ -36,15 +37,28 @@ fn forces_have_values(numeric: &Numeric, assembly: &Assembly, dynamics: &Dynamic
     let is_at_rest = evaluate(&dynamics.arena, &rates, &known).iter().all(|rate| *rate == 0.0);
     let is_given = |leaf: &Leaf| !matches!(leaf, Leaf::Input { .. }) && (is_at_rest || !matches!(leaf, Leaf::Speed(_)));
     for (declared, push) in model.declared_forces.iter().zip(&loads.pushes) {
-        let is_judged = |root: &Expr| system.arena.leaves(*root).iter().all(is_given) && is_known(model, system, *root);
+        let is_judged = |root: &&Expr| system.arena.leaves(**root).iter().all(is_given) && is_known(model, system, **root);
+        let judged: Vec<Expr> = push.iter().filter(is_judged).copied().collect();
         let has_value = |coordinates: &[f64]| {
-            let values = evaluate(&system.arena, push, &Values { coordinates, ..known });
+            let values = evaluate(&system.arena, &judged, &Values { coordinates, ..known });
             values.iter().all(|value| value.is_finite())
         };
-        let beside =
-            |by: f64| assembly.start.iter().enumerate().map(|(unknown, value)| value + by * numeric.scale(unknown)).collect::<Vec<f64>>();
-        // One that has a value on one side of the start alone may have one there but for rounding errors.
-        if push.iter().all(is_judged) && !has_value(&assembly.start) && has_value(&beside(NOTHING)) == has_value(&beside(-NOTHING)) {
+        if has_value(&assembly.start) {
+            continue;
+        }
+        let own = system
+            .arena
+            .leaves_of(&judged)
+            .into_iter()
+            .filter_map(|leaf| if let Leaf::Coordinate(own) = leaf { Some(own as usize) } else { None });
+        let beside = |(unknown, by): (usize, f64)| {
+            let mut there = assembly.start.clone();
+            there[unknown] += by * numeric.scale(unknown);
+            has_value(&there)
+        };
+        let probes: Vec<bool> = own.flat_map(|unknown| [(unknown, NOTHING), (unknown, -NOTHING)]).map(beside).collect();
+        // A force with values on one side of the start may lack one there through rounding alone.
+        if probes.iter().all(|has_one| *has_one) || !probes.contains(&true) {
             return diag.refuse(&declared.name, AssemblyFact::ForceWithoutValue { force: declared.name.to_string() });
         }
     }

@@ -1,9 +1,9 @@
-//! Warnings about valid expressions that are often meant otherwise: powers of numbers with units, frequencies as angles, inputs by the time, and
-//! free fall in other units.
+//! Warnings about valid expressions that are often meant otherwise: powers of numbers with units, frequencies as angles, inputs by the time, free
+//! fall in other units, and free fall where nothing has a mass.
 
 use crate::diag::{Doubt, Range, Warning, quantity as in_words};
 use crate::quantity::{self, Dim};
-use crate::syntax::ast::{Expression, ExpressionKind, Item, JointBody, Mechanism, Operator, Statement, every_item};
+use crate::syntax::ast::{Argument, Expression, ExpressionKind, Item, JointBody, Mechanism, Operator, Statement, every_item};
 use std::collections::BTreeSet;
 
 /// Free fall that is slower or faster than this (m/s²) was rather meant in millimetres.
@@ -114,8 +114,11 @@ impl Suspects {
     fn turns_driven(&self, item: &Item) -> Option<Warning> {
         let Item::Joint(joint) = item else { return None };
         let JointBody::Of { kind, arguments } = &joint.body else { return None };
-        let law =
-            &arguments.last().filter(|_| ["drive_angle", "drive_relative_angle", "drive_rotation"].iter().any(|name| kind == name))?.value;
+        if !["drive_angle", "drive_relative_angle", "drive_rotation"].iter().any(|name| kind == name) {
+            return None;
+        }
+        let is_law = |argument: &&Argument| argument.name.as_ref().is_some_and(|name| name == "C");
+        let law = &arguments.iter().find(is_law).or(arguments.last())?.value;
         by_time(law, &self.frequencies)?;
         Some(Warning { doubt: Doubt::TurnsAsAngle { written: law.to_string() }, range: law.range })
     }

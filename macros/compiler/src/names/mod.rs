@@ -323,11 +323,11 @@ impl Names {
         self.find(space, word).or_else(|| self.find(outer?, word))
     }
 
-    /// A point or an axis of the body in which an expression stands, unless a number has its name.
+    /// A point or an axis of the body in which an expression stands, unless something else that can be fixed has its name.
     pub(crate) fn own_mark(&self, scope: &Scope, word: &str) -> Option<(SpaceId, GroupId)> {
         let outer = scope.space.and_then(|space| self.visible(space, word));
-        let is_number = outer.is_some_and(|group| self.group(group).sort.may_be_number());
-        let own = self.frames[scope.body.filter(|_| !is_number)?.0].space;
+        let gives_way = |group| matches!(self.group(group).sort, Sort::Body | Sort::Drive | Sort::Freedom | Sort::Force | Sort::Output);
+        let own = self.frames[scope.body.filter(|_| outer.is_none_or(gives_way))?.0].space;
         Some((own, self.find(own, word)?))
     }
 

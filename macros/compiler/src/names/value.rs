@@ -86,9 +86,9 @@ impl Value {
     /// The same inside a body: its own points and axes are their coordinates there.
     pub(crate) fn inside(self, body: Option<FrameId>) -> Value {
         match self {
-            Value::Point(own) | Value::Axis(own) if body == Some(own.frame) => {
-                Value::Vector(Vector { parts: own.local, measure: own.measure })
-            }
+            Value::Point(own) if body == Some(own.frame) => Value::Vector(Vector { parts: own.local, measure: own.measure }),
+            // It keeps the direction from which angles count.
+            Value::Axis(own) if body == Some(own.frame) => Value::Axis(Fixed { frame: FrameId::GROUND, ..own }),
             other => other,
         }
     }

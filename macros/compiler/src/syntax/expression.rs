@@ -17,7 +17,7 @@ use crate::quantity;
 use proc_macro2::{Delimiter, Span, TokenTree};
 use quote::ToTokens;
 use syn::parse::{ParseBuffer, ParseStream};
-use syn::{Ident, Lit, LitBool, Token, token};
+use syn::{Ident, Lit, LitBool, LitInt, Token, token};
 
 /// `= expression;`
 pub(super) fn value(input: ParseStream) -> Parsed<Expression> {
@@ -88,11 +88,7 @@ fn product(input: ParseStream, room: u16) -> Parsed<Expression> {
             input.parse::<Token![/]>()?;
             Operator::Div
         } else if input.peek(Token![%]) {
-            let sign = input.parse::<Token![%]>()?.span;
-            if let (true, ExpressionKind::Number { digits, .. }) = (is_end(input), &left.kind) {
-                let instead = (digits.parse::<f64>().unwrap_or(0.0) / 100.0).to_string();
-                return wrong(left.range.to(sign), GrammarFact::Misspelt { flaw: "`%` is the rest of a division", instead });
-            }
+            input.parse::<Token![%]>()?;
             Operator::Rem
         } else if input.peek(Token![as]) {
             return wrong(input.span(), GrammarFact::Misspelt { flaw: "all numbers are real ones", instead: left.to_string() });
@@ -128,27 +124,36 @@ fn power(input: ParseStream, room: u16) -> Parsed<Expression> {
         }
     }
     let caret = input.parse::<Token![^]>()?.spans[0];
-    let exponent = sign(input, deeper(room, caret.into())?)?;
-    if let (true, ExpressionKind::Number { digits, .. }, ExpressionKind::Number { digits: power, unit }) =
-        (is_literal, &base.kind, &exponent.kind)
-        && digits == "10"
-        && !unit.is_empty()
-    {
-        let flaw = "a unit belongs to the number before it, here to the exponent";
-        return wrong(base.range.to(exponent.range), GrammarFact::Misspelt { flaw, instead: format!("1e{power}{unit}") });
+    if is_literal && matches!(&base.kind, ExpressionKind::Number { digits, unit } if digits == "10" && unit.is_empty()) {
+        no_unit_raised(input, &base)?;
     }
+    let exponent = sign(input, deeper(room, caret.into())?)?;
     binary(Operator::Power, base, exponent)
+}
+
+/// Refuses `10^3g`.
+fn no_unit_raised(input: ParseStream, base: &Expression) -> Parsed<()> {
+    let ahead = input.fork();
+    let minus = if ahead.parse::<Option<Token![-]>>()?.is_some() { "-" } else { "" };
+    match ahead.parse::<Option<LitInt>>()? {
+        Some(exponent) if !exponent.suffix().is_empty() => {
+            let flaw = "a unit belongs to the number before it, here to the exponent";
+            let instead = format!("1e{minus}{}{}", exponent.base10_digits(), exponent.suffix());
+            wrong(base.range.to(exponent.span()), GrammarFact::Misspelt { flaw, instead })
+        }
+        _ => Ok(()),
+    }
 }
 
 fn postfix(input: ParseStream, room: u16) -> Parsed<Expression> {
     let mut value = atom(input, room)?;
+    if let ExpressionKind::Number { digits, unit } = &value.kind
+        && unit.is_empty()
+    {
+        no_percentage(input, &value, digits)?;
+        no_brackets(input, &value, digits)?;
+    }
     loop {
-        if let (true, ExpressionKind::Number { digits, unit }) = (input.peek(token::Bracket), &value.kind)
-            && unit.is_empty()
-        {
-            let instead = format!("{digits}{}", brackets(input)?.0);
-            return wrong(value.range, GrammarFact::Misspelt { flaw: "a unit stands right behind its number, without brackets", instead });
-        }
         if input.peek(token::Bracket) {
             let (index, range) = self::index(input, deeper(room, input.span().into())?)?;
             let range = value.range.to(range);
@@ -170,6 +175,29 @@ fn postfix(input: ParseStream, room: u16) -> Parsed<Expression> {
         let range = value.range.to(&field);
         value = node(ExpressionKind::Field(Box::new(value), field), range)?;
     }
+}
+
+/// Refuses `20%`.
+fn no_percentage(input: ParseStream, value: &Expression, digits: &str) -> Parsed<()> {
+    let ahead = input.fork();
+    match ahead.parse::<Option<Token![%]>>()? {
+        Some(sign) if is_end(&ahead) => {
+            let instead = (digits.parse::<f64>().unwrap_or(0.0) / 100.0).to_string();
+            wrong(value.range.to(sign.span), GrammarFact::Misspelt { flaw: "`%` is the rest of a division", instead })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Refuses `100[mm]`.
+fn no_brackets(input: ParseStream, value: &Expression, digits: &str) -> Parsed<()> {
+    let Some((inside, ..)) = input.cursor().group(Delimiter::Bracket) else { return Ok(()) };
+    let unit = inside.token_stream().to_string();
+    if quantity::unit(&unit).is_none() {
+        return Ok(());
+    }
+    let instead = format!("{digits}{unit}");
+    wrong(value.range, GrammarFact::Misspelt { flaw: "a unit stands right behind its number, without brackets", instead })
 }
 
 /// `[index]` after a name, with the range of its brackets.
@@ -222,8 +250,8 @@ fn atom(input: ParseStream, room: u16) -> Parsed<Expression> {
         let range = path.range;
         return node(ExpressionKind::Path(path), range);
     }
-    if let Some(inside) = closure(input) {
-        let instead = sum(&inside, room)?.to_string();
+    if let Some(instead) = closure(input).and_then(|inside| sum(&inside, room).ok()) {
+        let instead = instead.to_string();
         return wrong(input.span(), GrammarFact::Misspelt { flaw: "a law is an expression of `t`, not a closure", instead });
     }
     if input.peek(Token![return]) {
@@ -232,13 +260,14 @@ fn atom(input: ParseStream, room: u16) -> Parsed<Expression> {
     expected(input, "an expression")
 }
 
-/// What stands behind `|name|`, as of a closure in Rust; nothing for a norm.
+/// The tokens behind `|name|` of a closure; none behind a norm.
 fn closure(input: ParseStream<'_>) -> Option<ParseBuffer<'_>> {
     let ahead = input.fork();
     ahead.parse::<Token![|]>().ok()?;
     ahead.parse::<Ident>().ok()?;
     ahead.parse::<Token![|]>().ok()?;
-    (!is_end(&ahead) && !ahead.peek(Token![-])).then_some(ahead)
+    let begins = ahead.peek(Ident) || ahead.peek(token::Paren) || ahead.peek(Lit);
+    begins.then_some(ahead)
 }
 
 fn number(input: ParseStream) -> Parsed<Expression> {
@@ -320,10 +349,7 @@ fn list(content: ParseStream, room: u16) -> Parsed<Vec<Expression>> {
     let mut items = Vec::new();
     while !content.is_empty() {
         if content.peek(Ident) && content.peek2(Token![:]) && !content.peek2(Token![::]) {
-            let name = name(content, "a name")?;
-            content.parse::<Token![:]>()?;
-            let instead = sum(content, room)?.to_string();
-            return wrong(&name, GrammarFact::Misspelt { flaw: "values in parentheses have no names here", instead });
+            return without_names(content, items, room);
         }
         items.push(sum(content, room)?);
         if content.is_empty() {
@@ -335,6 +361,21 @@ fn list(content: ParseStream, room: u16) -> Parsed<Vec<Expression>> {
         content.parse::<Token![,]>()?;
     }
     Ok(items)
+}
+
+/// Refuses `(a: x, b: y)`.
+fn without_names<T>(content: ParseStream, mut items: Vec<Expression>, room: u16) -> Parsed<T> {
+    let first = content.span();
+    while !content.is_empty() {
+        if content.peek2(Token![:]) {
+            name(content, "a name")?;
+            content.parse::<Token![:]>()?;
+        }
+        items.push(sum(content, room)?);
+        content.parse::<Option<Token![,]>>()?;
+    }
+    let items: Vec<String> = items.iter().map(ToString::to_string).collect();
+    wrong(first, GrammarFact::Misspelt { flaw: "values in parentheses have no names here", instead: format!("({})", items.join(", ")) })
 }
 
 /// The whole number after `^`.

@@ -220,7 +220,7 @@ fn unknown_item<T>(input: ParseStream, keyword: &Ident, ambient: Ambient) -> Par
     }
     // A call of a constraint or a force lacks the keyword, and its name or `=`.
     let is_call = if name.is_some() { rest.peek(Token![=]) && rest.peek2(token::Paren) } else { rest.peek(token::Paren) };
-    if let Some(instead) = without_keyword(&word, name.as_deref(), &rest)? {
+    if let Some(instead) = without_keyword(&word, name.as_deref(), &rest.fork(), ambient)? {
         return wrong(keyword, GrammarFact::Misspelt { flaw: "an item begins with its kind, and has a name", instead });
     }
     let is_own = |call: &str| call.split_once('(').is_some_and(|(name, _)| name == word);
@@ -242,21 +242,28 @@ fn unknown_item<T>(input: ParseStream, keyword: &Ident, ambient: Ambient) -> Par
     wrong(keyword, GrammarFact::UnknownItem { word, name, home })
 }
 
-/// The item that was meant by `name = value` or, as in other languages, `type name = value`.
-fn without_keyword(word: &str, name: Option<&str>, rest: ParseStream) -> Parsed<Option<String>> {
+/// The item that was meant by `name = value` or, as in other languages, `type name = value`; none for a word that belongs elsewhere.
+fn without_keyword(word: &str, name: Option<&str>, rest: ParseStream, ambient: Ambient) -> Parsed<Option<String>> {
     const TYPES: [&str; 10] = ["double", "float", "real", "Real", "int", "f64", "f32", "var", "const", "auto"];
-    if !rest.peek(Token![=]) || rest.peek(Token![==]) {
+    const OF_BODIES: [&str; 8] = ["mass", "center", "inertia", "x", "y", "angle", "position", "orientation"];
+    if !rest.peek(Token![=]) || rest.peek(Token![==]) || OF_BODIES.contains(&word) {
         return Ok(None);
     }
     if let Some(name) = name {
         return Ok(TYPES.contains(&word).then(|| format!("let {name} = …;")));
     }
     rest.parse::<Token![=]>()?;
-    let call = rest.parse::<Ident>().ok().filter(|_| rest.peek(token::Paren));
-    Ok(Some(match call.map(|call| call.to_string()) {
+    let call = rest.parse::<Ident>().ok().filter(|_| rest.peek(token::Paren)).map(|call| call.to_string());
+    Ok(Some(match call {
         Some(call) if call.starts_with("drive_") => format!("drive {word} = {call}(…);"),
-        Some(call) if !["sin", "cos", "sqrt", "norm", "min", "max"].contains(&call.as_str()) => format!("joint {word} = {call}(…);"),
-        _ => format!("let {word} = …;"),
+        Some(call) if call.starts_with(char::is_uppercase) => format!("part {word} = {call}(…);"),
+        Some(call) => match home(&call, ambient) {
+            Some(Home::Joint(_)) => format!("joint {word} = {call}(…);"),
+            Some(Home::Drive(_)) => format!("drive {word} = {call}(…);"),
+            Some(Home::Force(_)) => format!("force {word} = {call}(…);"),
+            _ => format!("let {word} = …;"),
+        },
+        None => format!("let {word} = …;"),
     }))
 }
 

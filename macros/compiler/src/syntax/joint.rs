@@ -6,7 +6,7 @@ use super::definition::statement;
 use super::expression::{declared, expression, value};
 use super::tokens::{Parsed, braces, equals, expected, keyword, name, path, semicolon, wrong};
 use crate::diag::{GrammarFact, MotionFact, Word};
-use proc_macro2::Ident;
+use proc_macro2::{Ident, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Token, token};
@@ -70,7 +70,8 @@ pub(super) fn freedom(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
         input.parse::<Token![=]>()?;
         return wrong(sign, MotionFact::StartWithEquals { value: value.to_string(), start: expression(input)?.to_string() });
     }
-    if input.peek(Token![,]) {
+    let is_number = |behind: Option<(TokenTree, _)>| matches!(behind, Some((TokenTree::Literal(_), _)));
+    if input.peek(Token![,]) && input.cursor().punct().is_some_and(|(_, behind)| is_number(behind.token_tree())) {
         let comma = input.parse::<Token![,]>()?.spans[0];
         let instead = format!("{value} from {}", expression(input)?);
         return wrong(comma, GrammarFact::Misspelt { flaw: "the value at t = 0 stands behind `from`", instead });

@@ -143,7 +143,10 @@ pub(super) fn semicolon(input: ParseStream) -> Parsed<()> {
         if let Some(unit) = keyword(&ahead).filter(|word| crate::quantity::unit(&word.to_string()).is_some()) {
             return wrong(input.span(), GrammarFact::OutputInUnit { unit: unit.to_string() });
         }
-        return wrong(input.span(), GrammarFact::BoundsElsewhere);
+        let bounds = statement_text(&ahead)?;
+        if bounds.contains("..") || bounds.contains('[') {
+            return wrong(input.span(), GrammarFact::BoundsElsewhere);
+        }
     }
     if !input.peek(Token![;]) {
         let what = if input.cursor().punct().is_some() { "an operator or `;`" } else { "`;`" };

@@ -3,8 +3,8 @@
 //! not close at the declared values, these are only the guess for such a configuration; then an unknown without a declared start whose rate alone
 //! is given, by a freedom or by a drive, keeps 0. If no steps from the guess lead to such a configuration, others are guesses.
 //!
-//! Where declared places are not kept so, a configuration nearer to them is looked for: coordinates are pinned there, and those without a declared
-//! start begin there.
+//! If declared places or turns are not kept, the compiler looks for a configuration that is nearer to them and pins coordinates there; those linked
+//! with them that have no declared start begin there.
 
 use super::rows::Row;
 use super::{Coordinate, Equation};
@@ -14,6 +14,7 @@ use crate::linear::dense::cholesky;
 use crate::model::{Model, defaults, tabulated};
 use crate::quantity::{Dim, Role};
 use crate::structure::SMALL;
+use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
 /// A coordinate is pinned first if the equations leave more than this fraction of it open.
@@ -22,7 +23,7 @@ const CLEARLY: f64 = 0.1;
 /// The other coordinates are pinned if more than this fraction is open.
 const HARDLY: f64 = 1e-9;
 
-/// Unknowns that hold less than this part of what is open do not hold it at a dead point, to which steps converge slowly.
+/// At a dead point steps converge slowly: an unknown that holds less than this part of what is open counts as holding nothing.
 const BARELY: f64 = 1e-4;
 
 /// Newton steps to a configuration that satisfies the equations.
@@ -40,7 +41,7 @@ const SWAYS: [f64; 6] = [0.1, 0.2, 0.3, 0.5, 0.7, 1.0];
 /// Attempts with changes of up to half a turn, where none closes nearer to the declared start.
 const WIDE: usize = 24;
 
-/// A place is as declared within this part of the farthest one.
+/// A place is as declared within this part of the farthest one, a turn within so many radians.
 const AS_DECLARED: f64 = 1e-9;
 
 /// A step towards the declared places turns no body by more than this, in rad.
@@ -49,11 +50,17 @@ const LONGEST: f64 = 0.5;
 /// Cost of changing a coordinate, against that of leaving a declared place.
 const EFFORT: f64 = 1e-2;
 
-/// Of so many configurations the one nearest to the declared places is taken.
+/// Number of configurations of which the nearest is taken, if it is near.
 const TRIES: usize = 5;
 
+/// A configuration is near within this part of the farthest declared place, or within this angle in rad.
+const NEAR: f64 = 1.0 / 3.0;
+
+/// Another configuration is taken if it is nearer by more than this part.
+const NEARER: f64 = 1e-6;
+
 /// Steps to the configuration that is nearest to the declared places.
-const APPROACHES: usize = 200;
+const APPROACHES: usize = 60;
 
 /// Added to the diagonal of Φ_q Φ_qᵀ, since rows may depend on each other.
 const DAMPING: f64 = 1e-13;
@@ -63,11 +70,9 @@ const DAMPING: f64 = 1e-13;
 /// * `coordinates`: given and returned; those without a declared start begin at the configuration found, if it is nearer to the declared places.
 /// * `of_speeds`: given, the equations of speeds, with those of freedoms.
 pub(super) fn pins(model: &Model, arena: &mut Arena, coordinates: &mut [Coordinate], [equations, of_speeds]: [&[Equation]; 2]) -> Vec<Row> {
-    let Open { start, unknowns, keeps_declared, is_nearest } = open(model, arena, coordinates, [equations, of_speeds]);
-    for (coordinate, value) in coordinates.iter_mut().zip(&start).filter(|_| is_nearest) {
-        if !is_declared(model, coordinate) {
-            coordinate.start = Exact::binary(*value).map(|value| arena.constant(value));
-        }
+    let Open { start, unknowns, keeps_declared, begins_there } = open(model, arena, coordinates, [equations, of_speeds]);
+    for unknown in begins_there {
+        coordinates[unknown].start = Exact::binary(start[unknown]).map(|value| arena.constant(value));
     }
     let coordinates = &*coordinates;
     let joint = model.joints.len() - 1;
@@ -96,8 +101,8 @@ struct Open {
     unknowns: Vec<usize>,
     /// True of each unknown that has its declared start value, if it has one.
     keeps_declared: Vec<bool>,
-    /// True if the configuration was looked for near the declared places.
-    is_nearest: bool,
+    /// The unknowns without a declared start that begin at this configuration.
+    begins_there: Vec<usize>,
 }
 
 /// True if a start value of a coordinate is declared. In space an angle or a component of a quaternion has one, even if it is 0, where the
@@ -141,23 +146,23 @@ fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], [equations, of
     }
     let closed = rows.closed_near(&open.start, &open.unknowns);
     let distance = closed.as_ref().map_or(f64::INFINITY, |closed| declared.distance(closed));
-    if let Some(start) = closed.filter(|_| distance <= AS_DECLARED) {
-        let there = rows.open(&start, &declared.are_declared);
-        let is_turn_open = open.unknowns.iter().any(|unknown| declared.are_turns[*unknown] && !declared.are_declared[*unknown]);
+    if let Some(start) = closed.filter(|_| distance <= declared.exact()) {
         // At a dead point other coordinates are open than beside it.
-        let unknowns = if rows.hold(&start, &open.unknowns) { open.unknowns } else { there };
-        return Open { start, unknowns, is_nearest: is_turn_open, ..open };
+        let unknowns = if rows.hold(&start, &open.unknowns) { open.unknowns } else { rows.open(&start, &declared.are_declared) };
+        let begins_there = rows.linked(&declared, unknowns.iter().copied().filter(|unknown| declared.is_told_nothing(*unknown)));
+        return Open { start, unknowns, begins_there, ..open };
     }
     let is_held = |unknown: &usize| declared.are_turns[*unknown] && declared.are_declared[*unknown];
     let held: Vec<usize> = open.unknowns.iter().copied().filter(is_held).collect();
-    match rows.nearest(&declared, &held).filter(|found| declared.distance(found) < (1.0 - AS_DECLARED) * distance) {
+    match rows.nearest(&declared, &held).filter(|found| declared.distance(found) < (1.0 - NEARER) * distance) {
         None => open,
         Some(start) => {
-            let unknowns = rows.open(&start, &declared.are_declared);
-            let size = declared.size();
-            let is_kept = |(found, value): (&f64, &f64)| (found - value).abs() <= AS_DECLARED * size;
-            let keeps_declared = start.iter().zip(&declared.values).map(is_kept).collect();
-            Open { start, unknowns, keeps_declared, is_nearest: true }
+            let keeps_declared: Vec<bool> = (0..start.len()).map(|unknown| declared.is_kept(unknown, start[unknown])).collect();
+            // Places that are not kept follow from turns, whatever the parameters are.
+            let is_kept: Vec<bool> = keeps_declared.iter().zip(&declared.are_declared).map(|(kept, declared)| *kept && *declared).collect();
+            let unknowns = rows.open(&start, &is_kept);
+            let begins_there = rows.linked(&declared, unknowns.iter().copied());
+            Open { start, unknowns, keeps_declared, begins_there }
         }
     }
 }
@@ -165,8 +170,12 @@ fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], [equations, of
 /// The unknowns that are open if declared starts are kept, as far as the mechanism closes with them.
 fn as_declared(rows: &mut PositionRows, start: &DeclaredStart) -> Open {
     let DeclaredStart { values: declared, are_declared: is_declared, rates, .. } = start;
-    let kept =
-        |(start, unknowns): (Vec<f64>, Vec<usize>)| Open { keeps_declared: vec![true; start.len()], start, unknowns, is_nearest: false };
+    let kept = |(start, unknowns): (Vec<f64>, Vec<usize>)| Open {
+        keeps_declared: vec![true; start.len()],
+        start,
+        unknowns,
+        begins_there: Vec::new(),
+    };
     let open = rows.open(declared, is_declared);
     let held: Vec<usize> = open.iter().copied().filter(|unknown| is_declared[*unknown]).collect();
     // Equations that depend on each other at the declared start alone leave fewer unknowns open beside it.
@@ -200,7 +209,7 @@ fn as_declared(rows: &mut PositionRows, start: &DeclaredStart) -> Open {
     let may_be_held = !rates.is_empty() && !rates.iter().any(|unknown| is_declared[*unknown]);
     if let Some(closed) = may_be_held.then(|| closed_anywhere(rates)).flatten() {
         let unknowns = rows.open(&closed, &is_rate);
-        return Open { unknowns, keeps_declared: vec![false; closed.len()], start: closed, is_nearest: false };
+        return Open { unknowns, keeps_declared: vec![false; closed.len()], start: closed, begins_there: Vec::new() };
     }
     if closed_anywhere(&open).is_some() {
         return kept((declared.clone(), open));
@@ -217,8 +226,7 @@ fn as_declared(rows: &mut PositionRows, start: &DeclaredStart) -> Open {
 impl DeclaredStart {
     /// Declared values, with others for the turns of which nothing is declared.
     fn swayed(&self, attempt: usize) -> Vec<f64> {
-        let is_swayed = |unknown: usize| self.are_turns[unknown] && !self.are_declared[unknown];
-        let change = |(unknown, value): (usize, &f64)| if is_swayed(unknown) { value + sway(unknown, attempt) } else { *value };
+        let change = |(unknown, value): (usize, &f64)| if self.is_told_nothing(unknown) { value + sway(unknown, attempt) } else { *value };
         self.values.iter().enumerate().map(change).collect()
     }
 
@@ -227,16 +235,35 @@ impl DeclaredStart {
         self.are_declared[unknown] && !self.are_turns[unknown]
     }
 
+    /// True of an angle or a component of a quaternion without a declared start.
+    fn is_told_nothing(&self, unknown: usize) -> bool {
+        self.are_turns[unknown] && !self.are_declared[unknown]
+    }
+
     /// The declared place farthest from the origin, or 1 m.
     fn size(&self) -> f64 {
         let farthest = (0..self.values.len()).filter(|unknown| self.is_place(*unknown)).map(|unknown| self.values[unknown].abs());
         Some(farthest.fold(0.0, f64::max)).filter(|size| *size > 0.0).unwrap_or(1.0)
     }
 
-    /// Distance of a configuration from the declared places, by their size.
+    /// Unit in which a coordinate counts: the size for places, 1 rad for turns.
+    fn unit(&self, unknown: usize) -> f64 {
+        if self.are_turns[unknown] { 1.0 } else { self.size() }
+    }
+
+    /// Distance of a configuration from what is declared.
     fn distance(&self, q: &[f64]) -> f64 {
-        let places = (0..q.len()).filter(|unknown| self.is_place(*unknown));
-        places.map(|unknown| (q[unknown] - self.values[unknown]).powi(2)).sum::<f64>().sqrt() / self.size()
+        let declared = (0..q.len()).filter(|unknown| self.are_declared[*unknown]);
+        declared.map(|unknown| ((q[unknown] - self.values[unknown]) / self.unit(unknown)).powi(2)).sum::<f64>().sqrt()
+    }
+
+    /// Distance within which all is as declared.
+    fn exact(&self) -> f64 {
+        AS_DECLARED + 10.0 * HOLDS / self.size()
+    }
+
+    fn is_kept(&self, unknown: usize, value: f64) -> bool {
+        (value - self.values[unknown]).abs() <= self.exact() * self.unit(unknown)
     }
 }
 
@@ -312,6 +339,25 @@ impl<'a> PositionRows<'a> {
         pinned
     }
 
+    /// The unknowns without a declared start that equations link with any of these, those themselves included.
+    fn linked(&self, declared: &DeclaredStart, unknowns: impl Iterator<Item = usize>) -> Vec<usize> {
+        let mut is_linked = vec![false; self.shape[1]];
+        unknowns.for_each(|unknown| is_linked[unknown] = true);
+        loop {
+            let reached: BTreeSet<usize> = self.pattern.iter().filter(|(_, column)| is_linked[*column]).map(|(row, _)| *row).collect();
+            let more: Vec<usize> = self
+                .pattern
+                .iter()
+                .filter(|(row, column)| reached.contains(row) && !is_linked[*column])
+                .map(|(_, column)| *column)
+                .collect();
+            if more.is_empty() {
+                return (0..is_linked.len()).filter(|unknown| is_linked[*unknown] && !declared.are_declared[*unknown]).collect();
+            }
+            more.into_iter().for_each(|column| is_linked[column] = true);
+        }
+    }
+
     /// True if the equations and some unknowns held leave nothing open at a configuration.
     fn hold(&mut self, q: &[f64], held: &[usize]) -> bool {
         let mut echelon = Echelon::new(q.len());
@@ -324,17 +370,20 @@ impl<'a> PositionRows<'a> {
 
     /// A configuration that satisfies the equations, as near to the declared places as any that is found. The values of some unknowns are held.
     fn nearest(&mut self, declared: &DeclaredStart, held: &[usize]) -> Option<Vec<f64>> {
-        let (mut best, mut tries): (Option<(f64, Vec<f64>)>, usize) = (None, 0);
+        let mut best: Option<(f64, Vec<f64>)> = None;
         for attempt in 0..=SWAYS.len() + WIDE {
             let guess = self.approach(declared, declared.swayed(attempt), held);
-            let Some(found) = self.closed_near(&guess, held) else { continue };
-            let distance = declared.distance(&found);
-            if best.as_ref().is_none_or(|(least, _)| distance < *least) {
-                best = Some((distance, found));
+            if let Some(found) = self.closed_near(&guess, held) {
+                let distance = declared.distance(&found);
+                if best.as_ref().is_none_or(|(least, _)| distance < *least) {
+                    best = Some((distance, found));
+                }
             }
-            tries += 1;
-            if distance <= AS_DECLARED || tries == TRIES {
-                break;
+            match &best {
+                // What closes nowhere near does not close.
+                None if attempt == SWAYS.len() => return None,
+                Some((least, _)) if *least <= declared.exact() || attempt >= TRIES && *least <= NEAR => break,
+                _ => {}
             }
         }
         best.map(|(_, found)| found)
@@ -342,14 +391,13 @@ impl<'a> PositionRows<'a> {
 
     /// Steps that bring declared places nearer, along the linearized equations: (q + Δ − d)ᵀ P (q + Δ − d) + Δᵀ E Δ is least, Φ + Φ_q Δ = 0.
     fn approach(&mut self, declared: &DeclaredStart, mut q: Vec<f64>, held: &[usize]) -> Vec<f64> {
-        let size = declared.size();
-        let pull = |unknown: usize| if declared.is_place(unknown) { 1.0 / (size * size) } else { 0.0 };
-        let effort = |unknown: usize| if declared.are_turns[unknown] { EFFORT } else { EFFORT / (size * size) };
+        let weights: Vec<f64> = (0..q.len()).map(|unknown| declared.unit(unknown).powi(-2)).collect();
+        let pull = |unknown: usize| if declared.are_declared[unknown] { weights[unknown] } else { 0.0 };
+        // In units in which P + E is the identity.
+        let units: Vec<f64> = (0..q.len()).map(|unknown| (pull(unknown) + EFFORT * weights[unknown]).sqrt()).collect();
         for _ in 0..APPROACHES {
             let (phi, mut jacobian) = self.at(&q);
             jacobian.iter_mut().for_each(|row| held.iter().for_each(|unknown| row[*unknown] = 0.0));
-            // In units in which P + E is the identity.
-            let units: Vec<f64> = (0..q.len()).map(|unknown| (pull(unknown) + effort(unknown)).sqrt()).collect();
             let wish: Vec<f64> =
                 (0..q.len()).map(|unknown| pull(unknown) * (declared.values[unknown] - q[unknown]) / units[unknown]).collect();
             let scaled: Vec<Vec<f64>> =

@@ -97,7 +97,7 @@ const HOMES: [(&[&str], Home, Home); 30] = [
     ),
     (&["stop", "hard_stop"], Home::Force("stop(P, Q, length, force, depth)"), Home::Force("stop(P, Q, length, force, depth)")),
     (
-        &["torsion_stop", "joint_limit", "limit", "limits"],
+        &["torsion_stop", "joint_limit"],
         Home::Force("torsion_stop(one, two, least, greatest, torque, depth)"),
         Home::Force("torsion_stop(a, b, least, greatest, torque, depth)"),
     ),

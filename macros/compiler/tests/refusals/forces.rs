@@ -1,10 +1,17 @@
 //! Forces, drives and freedoms written as items of another kind.
 
 crate::refusals! {
+    mechanism a_hinge_stop_of_one_body: "mechanism M { body b { mass = 1kg; inertia = 1kgm2; } joint o = revolute(ground.position, b.position); freedom q = b.angle; force f = torsion_stop(b, «b», 0deg, 90deg, 5Nm, 1deg); }" => "a stop of a hinge acts between two bodies";
+    mechanism a_hinge_stop_without_a_range: "mechanism M { body b { mass = 1kg; inertia = 1kgm2; } joint o = revolute(ground.position, b.position); freedom q = b.angle; force f = torsion_stop(ground, b, «90deg», 0deg, 5Nm, 1deg); }" => "the least angle of a stop is below its greatest";
+    mechanism a_hinge_stop_that_pulls: "mechanism M { body b { mass = 1kg; inertia = 1kgm2; } joint o = revolute(ground.position, b.position); freedom q = b.angle; force f = torsion_stop(ground, b, 0deg, 90deg, «-5Nm», 1deg); }" => "a stop pushes, and its torque is not negative";
+    mechanism a_hinge_stop_without_depth: "mechanism M { body b { mass = 1kg; inertia = 1kgm2; } joint o = revolute(ground.position, b.position); freedom q = b.angle; force f = torsion_stop(ground, b, 0deg, 90deg, 5Nm, «0deg»); }" => "the depth of a stop, at which it has its torque, is above zero";
+    mechanism a_hinge_stop_that_is_infinitely_stiff: "mechanism M { body b { mass = 1kg; inertia = 1kgm2; } joint o = revolute(ground.position, b.position); freedom q = b.angle; force f = torsion_stop(ground, b, 0deg, 90deg, 5Nm, 1deg, «0.5»); }" => "a stop with an exponent below 1 is infinitely stiff at first touch";
+    mechanism a_hinge_stop_that_drives: "mechanism M { body b { mass = 1kg; inertia = 1kgm2; } joint o = revolute(ground.position, b.position); freedom q = b.angle; force f = torsion_stop(ground, b, 0deg, 90deg, 5Nm, 1deg, damping: «-1s / 1rad»); }" => "the damping of a stop is not negative";
+    mechanism points_that_coincide_while_the_arm_moves: "mechanism M { ground { point Q = (1m, 0m); } body arm { point P = (1m, 0m); mass = 1kg; inertia = 1kgm2; } joint o = revolute(ground.position, arm.position); freedom swing = arm.angle at 1rad_s; force «pull» = actuator(ground.Q, arm.P, 3N); }" => "`pull` has no value at the start: a root of a negative number, a direction between points that coincide, or a division by zero, as by a speed that is zero\nhelp: let the motion begin elsewhere, or write a law with a value there, such as `v / sqrt(v^2 + (1mm_s)^2)` for `v / abs(v)`";
     mechanism a_torque_at_a_point: "mechanism M { body b { point P = (1m, 0m); mass = 1kg; inertia = 1kgm2; } joint o = revolute(ground.position, b.position); freedom q = b.angle; force f = { at b.P: «5Nm»; } }" => "a force is a vector in ground, found a number\nhelp: write `on b: 5Nm;` for a torque";
-    mechanism a_force_without_a_value: "mechanism M { ground { point Q = (1m, 0m); } body arm { point P = (1m, 0m); mass = 1kg; inertia = 1kgm2; } joint o = revolute(ground.position, arm.position); freedom swing = arm.angle; force «lift» = { at arm.P: (0N, 1N * sqrt((arm.P.x - 2m) / 1m)); } }" => "`lift` has no value at the start: a root of something negative, a direction between points that coincide, or a division by zero, as by a speed at rest\nhelp: let the motion begin elsewhere, or write a law that has a value there";
-    mechanism a_force_between_points_that_coincide: "mechanism M { ground { point Q = (1m, 0m); } body arm { point P = (1m, 0m); mass = 1kg; inertia = 1kgm2; } joint o = revolute(ground.position, arm.position); freedom swing = arm.angle; force «pull» = actuator(ground.Q, arm.P, 3N); }" => "`pull` has no value at the start: a root of something negative, a direction between points that coincide, or a division by zero, as by a speed at rest\nhelp: let the motion begin elsewhere, or write a law that has a value there";
-    mechanism a_force_against_a_speed_at_rest: "mechanism M { ground { point Q = (1m, 0m); } body arm { point P = (1m, 0m); mass = 1kg; inertia = 1kgm2; } joint o = revolute(ground.position, arm.position); freedom swing = arm.angle; force «brake» = { on arm: -1Nm * arm.angular_velocity / abs(arm.angular_velocity); } }" => "`brake` has no value at the start: a root of something negative, a direction between points that coincide, or a division by zero, as by a speed at rest\nhelp: let the motion begin elsewhere, or write a law that has a value there";
+    mechanism a_force_without_a_value: "mechanism M { ground { point Q = (1m, 0m); } body arm { point P = (1m, 0m); mass = 1kg; inertia = 1kgm2; } joint o = revolute(ground.position, arm.position); freedom swing = arm.angle; force «lift» = { at arm.P: (0N, 1N * sqrt((arm.P.x - 2m) / 1m)); } }" => "`lift` has no value at the start: a root of a negative number, a direction between points that coincide, or a division by zero, as by a speed that is zero\nhelp: let the motion begin elsewhere, or write a law with a value there, such as `v / sqrt(v^2 + (1mm_s)^2)` for `v / abs(v)`";
+    mechanism a_force_between_points_that_coincide: "mechanism M { ground { point Q = (1m, 0m); } body arm { point P = (1m, 0m); mass = 1kg; inertia = 1kgm2; } joint o = revolute(ground.position, arm.position); freedom swing = arm.angle; force «pull» = actuator(ground.Q, arm.P, 3N); }" => "`pull` has no value at the start: a root of a negative number, a direction between points that coincide, or a division by zero, as by a speed that is zero\nhelp: let the motion begin elsewhere, or write a law with a value there, such as `v / sqrt(v^2 + (1mm_s)^2)` for `v / abs(v)`";
+    mechanism a_force_against_a_speed_at_rest: "mechanism M { ground { point Q = (1m, 0m); } body arm { point P = (1m, 0m); mass = 1kg; inertia = 1kgm2; } joint o = revolute(ground.position, arm.position); freedom swing = arm.angle; force «brake» = { on arm: -1Nm * arm.angular_velocity / abs(arm.angular_velocity); } }" => "`brake` has no value at the start: a root of a negative number, a direction between points that coincide, or a division by zero, as by a speed that is zero\nhelp: let the motion begin elsewhere, or write a law with a value there, such as `v / sqrt(v^2 + (1mm_s)^2)` for `v / abs(v)`";
     item a_force_called_force: "force push = «force»(crank.A, (0N, 5N));" => "no force is called `force`\nhelp: write where it acts, `{ at P: (0N, -5N); }` for a force at a point, `{ on b: 5Nm; }` for a torque on a body";
     mechanism a_unit_called_like_a_force: "mechanism M { body arm { mass = 1kg; inertia = «1kg * m^2»; } joint o = revolute(ground.position, arm.position); freedom swing = arm.angle; force m = motor(ground, arm, 5Nm); }" => "a unit is one word, and `1kg * m^2` is several\nhelp: write `1kgm2`";
     mechanism shape_by_another_word: "mechanism M in space { ground { axis z = (0, 0, 1); } body arm { axis z = (0, 0, 1); mass = 1kg; inertia = «disc»(0.1m); } joint hinge = revolute(ground.position, ground.z, arm.position, arm.z); freedom s = hinge.angle; }" => "no shape is called `disc`\nhelp: write `disk(radius)`";
@@ -149,4 +156,23 @@ fn what_is_never_chosen_may_have_no_value() {
         "mechanism M { body b { point P = (1m, 0m); } joint o = revolute(ground.position, b.position); drive q = drive_angle(b, 1rpm * t);
         output a = if b.angle < 2 { b.angle } else { asin(2) * b.angle }; output c = 1m / (1 + exp(1000)) + b.P.x; }";
     assert!(reuleaux_compiler::compile(source.parse().expect("tokens")).is_ok());
+}
+
+/// Forces with a value at the start, on one side of it, or once the mechanism moves.
+#[test]
+fn forces_with_a_value_at_the_start() {
+    let forces = [
+        ("", "on arm: -1Nm * arm.angular_velocity / sqrt(arm.angular_velocity^2 + (1rad_s)^2);"),
+        ("at 1rad_s", "on arm: -1Nm * arm.angular_velocity / abs(arm.angular_velocity);"),
+        ("from 90deg", "on arm: -1Nm * sqrt(1 - (arm.P.y / 1m)^2);"),
+        ("from 0deg", "on arm: -1Nm * sqrt(arm.P.y / 1m);"),
+    ];
+    for (start, force) in forces {
+        let source = format!(
+            "mechanism M {{ body arm {{ point P = (1m, 0m); mass = 1kg; inertia = 1kgm2; }}
+            joint o = revolute(ground.position, arm.position); freedom swing = arm.angle {start}; force f = {{ {force} }}; }}"
+        );
+        let compiled = reuleaux_compiler::compile(source.parse().expect("tokens"));
+        assert!(compiled.is_ok(), "{force}: {:?}", compiled.err());
+    }
 }

@@ -1,7 +1,7 @@
 //! Names from workshops and from other programs, with the names of the library that replace them.
 
 crate::refusals! {
-    item a_limit_of_a_hinge: "«limit» ends = (0deg, 90deg);" => "`limit` is no item of a mechanism\nhelp: write `force ends = torsion_stop(one, two, least, greatest, torque, depth);`";
+    item a_limit_of_a_hinge: "«joint_limit» ends = (0deg, 90deg);" => "`joint_limit` is no item of a mechanism\nhelp: write `force ends = torsion_stop(one, two, least, greatest, torque, depth);`";
     mechanism prismatic_as_an_item: "mechanism M { ground { axis u = (1, 0); } body a { } «prismatic» h = prismatic(ground.position, a.position); }" => "`prismatic` is no item of a mechanism\nhelp: write `joint h = translational(u, P, Q);`";
     mechanism prismatic_as_an_item_in_space: "mechanism M in space { body a { axis z = (0, 0, 1); } «prismatic» h = prismatic(ground.position, a.position); }" => "`prismatic` is no item of a mechanism\nhelp: write `joint h = translational(P, a, Q, b);`";
     mechanism prismatic_as_a_joint: "mechanism M { ground { axis u = (1, 0); } body a { } joint h = «prismatic»(ground.position, a.position); }" => "no constraint is called `prismatic`\nhelp: did you mean `translational`?";

@@ -10,7 +10,7 @@ crate::refusals! {
     item a_jacobian: "output b = «jacobian»(crank.A);" => "no function is called `jacobian`: derivatives are computed for a state, in Rust\nhelp: write `mechanism.derivatives(&state)` there";
     item the_least_of_three: "let a = «min»(1, 2, 3);" => "`min` takes 2 arguments, found 3\nhelp: write `min(min(a, b), c)`";
     item the_center_of_a_body: "output b = crank.«center»;" => "`crank` has no `center` that expressions can read\nhelp: declare a point at the centre of mass; weight acts by `gravity = …;`";
-    item a_point_of_another_body: "body c { mass = 1kg; center = «A»; }" => "`crank.A` belongs to another body, and what stands in a body is written in its own coordinates\nhelp: name the coordinates with `let c = (…);`, and write `c` for both";
+    item a_point_of_another_body: "body c { mass = 1kg; center = «A»; }" => "`crank.A` does not belong to this body, whose items are written in its own coordinates\nhelp: name the coordinates with `let c = (…);`, and write `c` for both";
     item points_that_lead_to_each_other: "body c { point «P» = Q + (1m, 0m); point Q = P; }" => "`P` depends on itself, by way of `c.Q`";
     item pi_in_greek: "let a = «π» * 1m;" => "nothing is called `π` here\nhelp: write `pi`";
     item an_angle_in_greek: "let a = sin(«θ»);" => "nothing is called `θ` here\nhelp: declare it, such as `param θ: Angle = …;`, or `input θ: Angle;` if it is given at each step";

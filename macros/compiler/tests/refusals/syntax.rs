@@ -1,6 +1,16 @@
 //! Mistakes of grammar.
 
 crate::refusals! {
+    item a_percentage_of_a_length: "let a = length * «20%»;" => "`%` is the rest of a division\nhelp: write `0.2`";
+    item values_with_names: "let a = norm((«x»: 1m, y: 2m));" => "values in parentheses have no names here\nhelp: write `(1m, 2m)`";
+    item a_force_without_its_word: "«pull» = spring(ground.C, ram.B, 5N_m);" => "an item begins with its kind, and has a name\nhelp: write `force pull = spring(…);`";
+    item a_part_without_its_word: "«leg» = Leg(ground.C);" => "an item begins with its kind, and has a name\nhelp: write `part leg = Leg(…);`";
+    item a_function_without_its_word: "«turned» = atan2(1, 2);" => "an item begins with its kind, and has a name\nhelp: write `let turned = …;`";
+    item a_mass_without_a_body: "«mass» = 2kg;" => "`mass` belongs in a body\nhelp: write it there, as in `body b { mass = …; }`";
+    item a_comma_behind_a_freedom: "freedom swing = ram.angle«,» freedom push = ram.x;" => "expected `;`, found `,`\nhelp: `;` ends each item, `,` stands between arguments";
+    item an_output_in_miles: "output v = ram.x «in» mph;" => "expected `;`, found `in`\nhelp: end what stands before it with `;`";
+    item a_negative_exponent_with_a_unit: "let a = «10^-3g»;" => "a unit belongs to the number before it, here to the exponent\nhelp: write `1e-3g`";
+    item the_square_of_a_norm: "let a = «|»ground.C|^2;" => "expected an expression, found `|`\nhelp: write `abs(x)`, or `norm(v)` of a vector";
     item a_unit_in_brackets: "let a = «100»[mm];" => "a unit stands right behind its number, without brackets\nhelp: write `100mm`";
     item a_joint_without_its_word: "«pin» = revolute(ground.C, ram.B);" => "an item begins with its kind, and has a name\nhelp: write `joint pin = revolute(…);`";
     item a_drive_without_its_word: "«turn» = drive_angle(ram, 60rpm * t);" => "an item begins with its kind, and has a name\nhelp: write `drive turn = drive_angle(…);`";
@@ -11,12 +21,12 @@ crate::refusals! {
     item a_start_without_its_word: "body b { «angle» = 70deg; }" => "`angle` is no item of a body\nhelp: write `start angle = …;` for about where the body is at t = 0";
     item two_conditions_in_words: "let a = if length > 1m «and» length < 2m { 1 } else { 2 };" => "expected `{ value }`, found `and`\nhelp: a choice has one condition: choose twice, as in `if a < b { if c < d { x } else { y } } else { y }`";
     item a_chain_of_comparisons: "let a = if 1m < length «<» 2m { 1 } else { 2 };" => "expected `{ value }`, found `<`\nhelp: a choice has one condition: choose twice, as in `if a < b { if c < d { x } else { y } } else { y }`";
-    item a_joint_with_bounds: "joint pin = revolute(ground.C, ram.B) «in» -90deg..90deg;" => "bounds belong to a parameter, as in `param a: Length = 1m in 0m..;`\nhelp: forces that end a motion are `stop`, `stop_along` and `torsion_stop`";
+    item a_joint_with_bounds: "joint pin = revolute(ground.C, ram.B) «in» -90deg..90deg;" => "bounds belong to a parameter or an input, as in `param a: Length = 1m in 0m..;`\nhelp: forces that end a motion are `stop`, `stop_along` and `torsion_stop`";
     item a_closure: "drive b = drive_angle(ram, «|»t| 60rpm * t);" => "a law is an expression of `t`, not a closure\nhelp: write `60rpm * t`";
     item a_percentage: "param ratio: Number = «20%»;" => "`%` is the rest of a division\nhelp: write `0.2`";
     item a_cast: "let a = 2 «as» f64;" => "all numbers are real ones\nhelp: write `2`";
     item a_unit_in_an_exponent: "let a = 2 * «10^3g»;" => "a unit belongs to the number before it, here to the exponent\nhelp: write `1e3g`";
-    item named_values_of_a_shape: "body c { mass = 1kg; inertia = disk(«radius»: 60mm); }" => "values in parentheses have no names here\nhelp: write `60mm`";
+    item named_values_of_a_shape: "body c { mass = 1kg; inertia = disk(«radius»: 60mm); }" => "values in parentheses have no names here\nhelp: write `(60mm)`";
     item bounds_in_brackets: "param a: Length = 1m in «[500mm, 2m]»;" => "bounds stand on both sides of `..=`\nhelp: write `in 500mm..=2m`";
     item a_start_behind_a_comma: "freedom swing = ram.angle«,» 30deg;" => "the value at t = 0 stands behind `from`\nhelp: write `ram.angle from 30deg`";
     item a_condition_as_an_item: "«require» length > 0;" => "`require` is no item of a mechanism\nhelp: bounds of a parameter stand behind it, as in `param a: Length = 100mm in 50mm..;`";

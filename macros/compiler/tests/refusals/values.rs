@@ -281,6 +281,9 @@ fn expressions_that_are_often_meant_otherwise_are_doubted() {
     assert_eq!(plane("param f: Frequency = 5; drive d = drive_angle(b, 1turn * f * t);"), Vec::<String>::new());
     let massless = "gravity acts on masses, and no body has one\nhelp: write `mass = 1kg;` in a body, or take `gravity` away";
     assert_eq!(plane("gravity = (0, -9.81m_s2);"), [massless]);
+    let in_a_part = "gravity = (0, -9.81m_s2); component Weight(P: Point) { body w { mass = 1kg; } joint o = revolute(P, w.position); \
+                     drive d = drive_angle(w, 1rad_s * t); } part w = Weight((1m, 0m));";
+    assert_eq!(plane(in_a_part), Vec::<String>::new());
     let jumps = "a change of `w` acts over all the time before it: `w * t` jumps\nhelp: a commanded speed is a `param` of a mechanism that is \
                  `#[integrated]`: see the page on control loops";
     assert_eq!(plane("input w: AngularVelocity; drive d = drive_angle(b, w * t);"), [jumps]);

@@ -14,7 +14,7 @@
 /// the torque larger on the way in than on the way out, as with `stop`; a buffer never pulls. Without damping it gives back all its work,
 /// torque · depth / (exponent + 1) · (δ / depth)^(exponent + 1), which is in the potential energy.
 ///
-/// The axes have to stay in one direction, as a revolute or cylindrical joint keeps them. Degenerate case: none.
+/// The axes have to stay in one direction, as a revolute or cylindrical joint keeps them. θ is `joint_angle(a, b)`. Degenerate case: none.
 ///
 /// Reference: Hunt and Crossley (1975), Coefficient of restitution interpreted as damping in vibroimpact.
 force torsion_stop(

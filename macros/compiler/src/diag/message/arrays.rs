@@ -37,6 +37,7 @@ impl Display for ArrayFact {
                 let in_c = known.strip_suffix(']').and_then(|known| known.rsplit_once('[')).filter(|_| *is_alone);
                 let Some((name, number)) = in_c.filter(|(name, number)| !name.ends_with(']') && *number != "1") else { return Ok(()) };
                 let noun = what.split_once(' ').map_or(*what, |(_, noun)| noun).replace("parameter", "param");
+                let name = name.rsplit('.').next().unwrap_or(name);
                 write!(f, "; {number} of them are written `for i in 0..{number} {{ {noun} {name}[i] … }}`")
             }
             ArrayFact::NotWhole { found } => {

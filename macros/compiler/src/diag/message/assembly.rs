@@ -37,11 +37,12 @@ impl Display for AssemblyFact {
                 if drives.is_empty() { Ok(()) } else { write!(f, ", or let {} have another value at t = 0", list(drives)) }
             }
             AssemblyFact::ForceWithoutValue { force } => {
+                write!(f, "`{force}` has no value at the start: a root of a negative number, a direction between points that coincide, ")?;
                 write!(
                     f,
-                    "`{force}` has no value at the start: a root of something negative, a direction between points that coincide, or a division by zero, as by a speed at rest"
+                    "or a division by zero, as by a speed that is zero\nhelp: let the motion begin elsewhere, or write a law with a value there, "
                 )?;
-                write!(f, "\nhelp: let the motion begin elsewhere, or write a law that has a value there")
+                write!(f, "such as `v / sqrt(v^2 + (1mm_s)^2)` for `v / abs(v)`")
             }
             AssemblyFact::HasNoRate { joint, row, of } => {
                 write!(f, "{} of `{joint}` has no finite first and second derivative by time at t = 0", equation(*row, *of))?;

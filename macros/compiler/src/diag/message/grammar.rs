@@ -215,7 +215,7 @@ impl Display for GrammarFact {
             GrammarFact::BoundsElsewhere => {
                 write!(
                     f,
-                    "bounds belong to a parameter, as in `param a: Length = 1m in 0m..;`\nhelp: forces that end a motion are `stop`, `stop_along` and `torsion_stop`"
+                    "bounds belong to a parameter or an input, as in `param a: Length = 1m in 0m..;`\nhelp: forces that end a motion are `stop`, `stop_along` and `torsion_stop`"
                 )
             }
             GrammarFact::Misspelt { flaw, instead } => write!(f, "{flaw}\nhelp: write `{}`", shortened(instead)),

@@ -3,8 +3,7 @@
 use super::words::{declared, did_you_mean, first_of, is_acceleration, is_load, is_rate, is_velocity, list, listed, shortened};
 use crate::diag::NameFact;
 use crate::quantity::{Dim, Role};
-use crate::words::equivalent;
-use crate::words::{Home, foreign, usual_dimension};
+use crate::words::{Home, equivalent, foreign, usual_dimension};
 use std::fmt::{Display, Formatter, Result};
 
 /// The units that are named where no unit is near.
@@ -29,7 +28,7 @@ impl Display for NameFact {
                 write!(f, "a unit is one word, and `{written}` is several\nhelp: write `{instead}`")
             }
             NameFact::PointInBody { name } => {
-                write!(f, "`{name}` belongs to another body, and what stands in a body is written in its own coordinates")?;
+                write!(f, "`{name}` does not belong to this body, whose items are written in its own coordinates")?;
                 write!(f, "\nhelp: name the coordinates with `let c = (…);`, and write `c` for both")
             }
             NameFact::OutputRead { name } => {

@@ -213,7 +213,9 @@ impl Forest<'_> {
         if self.has_orientation(body) || !declared.iter().any(|one| one.start.is_some()) || !self.is_orientation_known(inner.body) {
             return None;
         }
-        let (at, own) = self.shared_point(inner.body, outer.body).or_else(|| self.points_on_hinge(inner, outer))?;
+        let is_placed = declared.iter().all(|one| one.start.is_some() || !one.role.is_position());
+        let on_hinge = || self.points_on_hinge(inner, outer).filter(|_| is_placed);
+        let (at, own) = self.shared_point(inner.body, outer.body).or_else(on_hinge)?;
         let to_place = self.hinged_at_start(at);
         let (foot, origin) = (at.body.map(|from| self.origin_at_start(from)), self.origin_at_start(body));
         let u = [0, 1, 2].map(|k| {
