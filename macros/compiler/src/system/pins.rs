@@ -126,6 +126,8 @@ struct DeclaredStart {
     are_turns: Vec<bool>,
     /// The unknowns whose rate alone is given.
     rates: Vec<usize>,
+    /// Those of them whose rate a drive gives.
+    driven: Vec<usize>,
 }
 
 fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], [equations, of_speeds]: [&[Equation]; 2]) -> Open {
@@ -133,11 +135,13 @@ fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], [equations, of
     let parameters = defaults(model, arena);
     let known = Values { time: 0.0, parameters: &parameters, coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
     let start = |coordinate: &Coordinate| coordinate.start.and_then(|start| evaluate(arena, &[start], &known).pop()).unwrap_or(0.0);
+    let rates = || of_speeds.iter().filter(|row| row.jacobian.len() == 1);
     let declared = DeclaredStart {
         values: coordinates.iter().map(start).collect(),
         are_declared: coordinates.iter().map(|coordinate| is_declared(model, coordinate)).collect(),
         are_turns: coordinates.iter().map(|one| matches!(one.role, Role::Angle | Role::Quaternion(_))).collect(),
-        rates: of_speeds.iter().filter(|row| row.jacobian.len() == 1).map(|row| row.jacobian[0].0).collect(),
+        rates: rates().map(|row| row.jacobian[0].0).collect(),
+        driven: rates().filter(|row| model.joints[row.joint].is_driven()).map(|row| row.jacobian[0].0).collect(),
     };
     let mut rows = PositionRows::new(arena, &known, equations, coordinates.len());
     let open = as_declared(&mut rows, &declared);
@@ -153,7 +157,7 @@ fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], [equations, of
         return Open { start, unknowns, begins_there, ..open };
     }
     let is_held = |unknown: &usize| declared.are_turns[*unknown] && declared.are_declared[*unknown];
-    let held: Vec<usize> = open.unknowns.iter().copied().filter(is_held).collect();
+    let held: Vec<usize> = open.unknowns.iter().copied().filter(is_held).chain(declared.driven.iter().copied()).collect();
     match rows.nearest(&declared, &held).filter(|found| declared.distance(found) < (1.0 - NEARER) * distance) {
         None => open,
         Some(start) => {
@@ -372,7 +376,9 @@ impl<'a> PositionRows<'a> {
     fn nearest(&mut self, declared: &DeclaredStart, held: &[usize]) -> Option<Vec<f64>> {
         let mut best: Option<(f64, Vec<f64>)> = None;
         for attempt in 0..=SWAYS.len() + WIDE {
-            let guess = self.approach(declared, declared.swayed(attempt), held);
+            let mut guess = declared.swayed(attempt);
+            held.iter().for_each(|unknown| guess[*unknown] = declared.values[*unknown]);
+            let guess = self.approach(declared, guess, held);
             if let Some(found) = self.closed_near(&guess, held) {
                 let distance = declared.distance(&found);
                 if best.as_ref().is_none_or(|(least, _)| distance < *least) {
