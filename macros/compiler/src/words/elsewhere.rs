@@ -110,6 +110,7 @@ mod tests {
         ("ton", 1e3),
         ("lbs", POUND),
         ("rps", 2.0 * PI),
+        ("rev_s", 2.0 * PI),
         ("rev_min", 2.0 * PI / 60.0),
         ("daN", 10.0),
         ("kmh", 1e3 / 3600.0),
