@@ -87,39 +87,34 @@ mechanism! {
     }
 }
 
-mechanism! {
-    /// A driven loop of which no angle is declared.
-    mechanism Loop {
-        ground { point C = (400mm, 0mm); }
-        body crank { point A = (100mm, 0mm); }
-        body coupler { point B = (350mm, 0mm); }
-        body rocker { point B = (300mm, 0mm); }
-        joint o = revolute(ground.position, crank.position);
-        joint a = revolute(crank.A, coupler.position);
-        joint b = revolute(coupler.B, rocker.B);
-        joint c = revolute(ground.C, rocker.position);
-        drive turn = drive_angle(crank, 60deg + 1rad_s * t);
-    }
+/// A driven loop of which no angle is declared, with further items.
+macro_rules! driven_loop {
+    ($(#[$attribute:meta])* $name:ident, $($items:tt)*) => {
+        mechanism! {
+            $(#[$attribute])*
+            mechanism $name {
+                ground { point C = (400mm, 0mm); }
+                body crank { point A = (100mm, 0mm); }
+                body coupler { point B = (350mm, 0mm); }
+                body rocker { point B = (300mm, 0mm); }
+                joint o = revolute(ground.position, crank.position);
+                joint a = revolute(crank.A, coupler.position);
+                joint b = revolute(coupler.B, rocker.B);
+                joint c = revolute(ground.C, rocker.position);
+                drive turn = drive_angle(crank, 60deg + 1rad_s * t);
+                $($items)*
+            }
+        }
+    };
 }
-
-mechanism! {
+driven_loop!(Loop,);
+driven_loop!(
     #[allow(far_start)]
-    /// The same beside a bob, with which nothing links it.
-    mechanism Beside {
-        ground { point C = (400mm, 0mm); }
-        body crank { point A = (100mm, 0mm); }
-        body coupler { point B = (350mm, 0mm); }
-        body rocker { point B = (300mm, 0mm); }
-        joint o = revolute(ground.position, crank.position);
-        joint a = revolute(crank.A, coupler.position);
-        joint b = revolute(coupler.B, rocker.B);
-        joint c = revolute(ground.C, rocker.position);
-        drive turn = drive_angle(crank, 60deg + 1rad_s * t);
-        body bob { point c = (0.2m, 0m);  mass = 1kg;  inertia = 0.1kgm2;  start position = (0m, 0.3m); }
-        joint pin = revolute((1m, 0m), bob.c);
-        freedom turning = bob.angular_velocity;
-    }
-}
+    Beside,
+    body bob { point c = (0.2m, 0m);  mass = 1kg;  inertia = 0.1kgm2;  start position = (0m, 0.3m); }
+    joint pin = revolute((1m, 0m), bob.c);
+    freedom turning = bob.angular_velocity;
+);
 
 /// The place of a body at the start, found within 1e-9 m.
 fn starts_at(found: Vector3<f64>, wanted: [f64; 3]) {

@@ -91,7 +91,10 @@ fn product(input: ParseStream, room: u16) -> Parsed<Expression> {
             input.parse::<Token![%]>()?;
             Operator::Rem
         } else if input.peek(Token![as]) {
-            return wrong(input.span(), GrammarFact::Misspelt { flaw: "all numbers are real ones", instead: left.to_string() });
+            return wrong(
+                input.span(),
+                GrammarFact::Misspelt { flaw: "every number is real, and needs no conversion", instead: left.to_string() },
+            );
         } else {
             return Ok(left);
         };

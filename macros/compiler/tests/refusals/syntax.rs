@@ -24,7 +24,7 @@ crate::refusals! {
     item a_joint_with_bounds: "joint pin = revolute(ground.C, ram.B) «in» -90deg..90deg;" => "bounds belong to a parameter or an input, as in `param a: Length = 1m in 0m..;`\nhelp: forces that end a motion are `stop`, `stop_along` and `torsion_stop`";
     item a_closure: "drive b = drive_angle(ram, «|»t| 60rpm * t);" => "a law is an expression of `t`, not a closure\nhelp: write `60rpm * t`";
     item a_percentage: "param ratio: Number = «20%»;" => "`%` is the rest of a division\nhelp: write `0.2`";
-    item a_cast: "let a = 2 «as» f64;" => "all numbers are real ones\nhelp: write `2`";
+    item a_cast: "let a = 2 «as» f64;" => "every number is real, and needs no conversion\nhelp: write `2`";
     item a_unit_in_an_exponent: "let a = 2 * «10^3g»;" => "a unit belongs to the number before it, here to the exponent\nhelp: write `1e3g`";
     item named_values_of_a_shape: "body c { mass = 1kg; inertia = disk(«radius»: 60mm); }" => "values in parentheses have no names here\nhelp: write `(60mm)`";
     item bounds_in_brackets: "param a: Length = 1m in «[500mm, 2m]»;" => "bounds stand on both sides of `..=`\nhelp: write `in 500mm..=2m`";
