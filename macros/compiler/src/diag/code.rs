@@ -112,7 +112,7 @@ codes! {
     E0406: Value::NotConstant;
     E0407: Value::NotFixed;
     E0408: Value::EqualityInChoice;
-    E0409: Value::ListOutsideTable Value::TableNeedsList Value::TableNeedsPairs Value::TableTooShort Value::SegmentsNeedList
+    E0409: Value::ListOutsideTable Value::TableNeedsList Value::TableTakesArgumentFirst Value::TableNeedsPairs Value::TableTooShort Value::SegmentsNeedList
         Value::NotASegment Value::SplineTooLong;
     E0410: Value::TableNotIncreasing;
     E0411: Value::TableNotPeriodic Value::TableEnds Value::SplineEnds Value::SegmentsEnds;
@@ -124,7 +124,7 @@ codes! {
     E0417: Value::LawFromTo Value::NotALaw;
     E0418: System::AngleOfTwoDirections;
     // Loops, arrays and parts.
-    E0501: Array::WithoutIndex Array::DuplicateInLoop;
+    E0501: Array::WithoutIndex Array::DuplicateInLoop Array::DeclaredBefore;
     E0502: Array::ArrayWithoutIndex;
     E0503: Array::NoArray Grammar::IndexInEquations;
     E0504: Array::IndexOutOfRange Array::NegativeIndex;

@@ -73,6 +73,15 @@ families! {
 }
 
 impl Fact {
+    /// The array of which an element is used that is not there.
+    pub(super) fn element_missing(&self) -> Option<&str> {
+        match self {
+            Fact::InInstance { fact, .. } | Fact::Noted { fact, .. } => fact.element_missing(),
+            Fact::Array(ArrayFact::IndexOutOfRange { name, .. }) => Some(name),
+            _ => None,
+        }
+    }
+
     /// True for the kind or the dimension of an argument.
     pub(crate) fn is_about_an_argument(&self) -> bool {
         match self {
@@ -130,7 +139,7 @@ pub enum GrammarFact {
     WithoutParentheses { what: &'static str, instead: String },
     PathOfConstraint { path: String, last: String },
     DoubleStar,
-    Return,
+    Return { is_segment: bool },
     MethodCall { name: String },
     SpaceBeforeUnit { number: String, suffix: String, unit: String },
     ExponentTooLarge { limit: u8 },
@@ -146,6 +155,7 @@ pub enum GrammarFact {
 pub enum ArrayFact {
     WithoutIndex { name: String, variable: String },
     DuplicateInLoop { name: String, variable: String },
+    DeclaredBefore { name: String, next: String },
     ArrayWithoutIndex { name: String },
     NoArray { found: Kind, is_member: bool },
     IndexOutOfRange { name: String, index: i64, ends: Option<(usize, usize)>, known: Known },
@@ -212,6 +222,8 @@ pub enum MeantFor {
     Joint,
     /// A force with given components: its clause, `at rod.P: (0N, 5N)`.
     Components(String),
+    /// The call with arguments between those that are there.
+    Complete(String),
 }
 
 /// Arguments: too many, too few, in the wrong order.
@@ -273,6 +285,7 @@ pub enum ValueFact {
     ListOutsideTable,
     TableArity { found: usize },
     TableNeedsList,
+    TableTakesArgumentFirst { word: &'static str, instead: String },
     TableNeedsPairs,
     TableNotIncreasing { word: &'static str, before: f64, found: f64, dim: Dim },
     TableTooShort { word: &'static str, found: usize },

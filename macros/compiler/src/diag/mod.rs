@@ -121,6 +121,16 @@ impl Diag {
         if self.is_exhausted || self.refusals.iter().any(is_known) {
             return;
         }
+        // Of an array whose elements are missing, no use of one is reported.
+        if let Fact::Array(ArrayFact::MissingIndex { known, .. }) = &fact {
+            let stem = known.split('[').next().unwrap_or(known);
+            self.refusals.retain(|refusal| refusal.fact.element_missing().is_none_or(|name| name != stem));
+        }
+        if let Some(name) = fact.element_missing()
+            && self.refusals.iter().any(|refusal| matches!(&refusal.fact, Fact::Array(ArrayFact::MissingIndex { known, .. }) if known.split('[').next() == Some(name)))
+        {
+            return;
+        }
         if let Fact::Grammar(GrammarFact::Keyword { word }) = &fact {
             self.refusals.retain(|refusal| !is_about(&refusal.fact, word));
         }

@@ -8,6 +8,7 @@
 mod declare;
 mod key;
 mod kind;
+mod order;
 mod proposals;
 mod register;
 mod scope;
@@ -16,11 +17,12 @@ mod value;
 
 pub(crate) use key::Key;
 pub(crate) use kind::{nearest_kind, unknown_kind};
+pub(crate) use order::{completed, fitted, reordered};
 pub(crate) use register::{
     FixedValue, HEIGHT, INPUT_PARTS, Notes, OpenPart, Register, Written, duplicate, is_one_of_many, misread_height, unknown_field,
 };
 pub(crate) use scope::{Instance, Scope, Timeless};
-pub(crate) use signature::{fits, is_between, places, signature, too_few, too_many, unknown_argument, wanted};
+pub(crate) use signature::{is_between, places, signature, too_few, too_many, unknown_argument, wanted};
 pub(crate) use value::{Arguments, Fixed, FrameId, FunctionValue, Scalar, Value, Vector};
 
 use crate::expr::Expr;

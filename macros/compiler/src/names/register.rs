@@ -62,11 +62,15 @@ pub(crate) struct Written<'a> {
     pub(crate) indices: &'a [ast::Expression],
 }
 
-/// The error for a name that is taken, possibly by the same item in another loop iteration.
-pub(crate) fn duplicate(name: String, first: &'static str, in_loop: Option<&(String, Value)>) -> Fact {
-    match in_loop {
-        Some((variable, _)) => ArrayFact::DuplicateInLoop { name, variable: variable.clone() }.into(),
-        None => NameFact::Duplicate { name, first }.into(),
+/// The error for a name that is taken, possibly by an item of the same sort in the loops around it. `indices`: as written.
+pub(crate) fn duplicate(name: String, first: &'static str, loops: &[(String, Value)], indices: &[ast::Expression]) -> Fact {
+    let is_written = |variable: &str| indices.iter().any(|index| index.to_string().contains(variable));
+    match (loops.last(), indices.last()) {
+        (Some(_), Some(index)) if loops.iter().all(|(variable, _)| is_written(variable)) => {
+            ArrayFact::DeclaredBefore { name, next: format!("[{index} + 1]") }.into()
+        }
+        (Some((variable, _)), _) => ArrayFact::DuplicateInLoop { name, variable: variable.clone() }.into(),
+        (None, _) => NameFact::Duplicate { name, first }.into(),
     }
 }
 

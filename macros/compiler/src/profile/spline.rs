@@ -42,7 +42,13 @@ pub(super) fn spline(work: &mut impl Valuer, name: &Ident, arguments: &[ast::Exp
         _ => return work.reject(name.into(), ValueFact::SplineArity { found: arguments.len() }),
     };
     let ExpressionKind::List(items) = &points.kind else {
-        return work.reject(points.range, ValueFact::TableNeedsList);
+        return match &x.kind {
+            ExpressionKind::List(_) => {
+                let instead = format!("{SPLINE}({points}, […])");
+                work.reject(name.into(), ValueFact::TableTakesArgumentFirst { word: SPLINE, instead })
+            }
+            _ => work.reject(points.range, ValueFact::TableNeedsList),
+        };
     };
     let argument = work.number(x, scope)?;
     let mut columns = [argument.measure, InferredDim::Any];

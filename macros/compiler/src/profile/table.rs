@@ -22,7 +22,13 @@ pub(crate) fn table(work: &mut impl Valuer, name: &Ident, arguments: &[ast::Expr
         _ => return work.reject(name.into(), ValueFact::TableArity { found: arguments.len() }),
     };
     let ExpressionKind::List(items) = &points.kind else {
-        return work.reject(points.range, ValueFact::TableNeedsList);
+        return match &x.kind {
+            ExpressionKind::List(_) => {
+                let instead = format!("table({points}, […])");
+                work.reject(name.into(), ValueFact::TableTakesArgumentFirst { word: "table", instead })
+            }
+            _ => work.reject(points.range, ValueFact::TableNeedsList),
+        };
     };
     let argument = work.number(x, scope)?;
     let mut columns = [argument.measure, InferredDim::Any];

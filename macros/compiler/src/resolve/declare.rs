@@ -18,7 +18,8 @@ impl Elaborator<'_> {
         sort: Sort,
         context: &Context,
     ) -> Option<EntityId> {
-        let indices = self.written_indices(indices, key, context)?;
+        let written = indices;
+        let indices = self.written_indices(written, key, context)?;
         let word = name.to_string();
         if is_reserved(&word) {
             // The item is declared all the same, so that its uses are not reported as well.
@@ -31,7 +32,7 @@ impl Elaborator<'_> {
         match self.names.join(context.space, &word, sort, indices, id) {
             Ok(()) => Some(id),
             Err(first) => {
-                let fact = duplicate(shown, first.noun(), context.bound.last().filter(|_| first == sort));
+                let fact = duplicate(shown, first.noun(), if first == sort { &context.bound } else { &[] }, written);
                 self.unless_refused(key, |this| this.refuse(name, fact))
             }
         }

@@ -337,7 +337,8 @@ impl Elaborator<'_> {
             return self.refuse(path.range, NameFact::PointInBody { name });
         }
         let near = self.similar(name, scope);
-        if near.is_none() && quantity::unit(&name.to_string()).is_some() {
+        // `m` is near to `mm`.
+        if near.as_ref().is_none_or(|near| near.len() < name.to_string().len()) && quantity::unit(&name.to_string()).is_some() {
             return self.refuse(path.range, NameFact::UnitAlone { name: name.to_string() });
         }
         self.refuse(path.range, NameFact::UnknownName { name: name.to_string(), near, is_of_definition: scope.space.is_none() })

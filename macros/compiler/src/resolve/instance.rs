@@ -140,7 +140,7 @@ impl Elaborator<'_> {
 
     /// Binds every parameter of a definition to a value, or reports the argument at fault.
     fn bind(&mut self, definition: &Definition, kind: &Ident, given: &[Argument], scope: &Scope) -> Option<Vec<(String, Value)>> {
-        self.has_its_axes(definition, kind, given, scope)?;
+        self.lack_none_between(definition, kind, given, scope)?;
         let slots: Vec<Option<&ast::Expression>> = self
             .slots(definition, kind, given)?
             .into_iter()

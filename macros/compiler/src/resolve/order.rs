@@ -1,9 +1,9 @@
-//! Arguments in another order than the parameters, and points that no joint has yet.
+//! Arguments that are missing or in another order than the parameters, and points that no joint has yet.
 
 use super::elaborate::Elaborator;
-use crate::diag::ArityFact;
+use crate::diag::{ArityFact, MeantFor};
 use crate::hints::point_of;
-use crate::names::{Entity, FrameId, Scope, Value, fits, signature};
+use crate::names::{Entity, FrameId, Scope, Value, completed, fitted, reordered, signature, too_few};
 use crate::quantity::Ambient;
 use crate::syntax::ast::{Argument, Definition, Formal, FormalKind, JointBody};
 use proc_macro2::Ident;
@@ -21,51 +21,54 @@ impl Elaborator<'_> {
         let known = self.diag.refusals().len();
         let values: Option<Vec<Value>> = given.iter().map(|argument| self.value(&argument.value, scope)).collect();
         self.diag.withdraw(known);
-        let mut open: Vec<(&Argument, Value)> = given.iter().zip(values?).collect();
-        // What is written out is of ground.
-        let frame = |value: &Value| value.frame().unwrap_or(FrameId::GROUND);
-        let (mut ordered, mut last_frame) = (Vec::new(), FrameId::GROUND);
-        for (index, formal) in definition.parameters[..given.len()].iter().enumerate() {
-            // A point and the axis after it belong to one body.
-            let is_axis = |formal: &Formal| matches!(formal.kind, FormalKind::Axis);
-            let has_axis = definition.parameters.get(index + 1).is_some_and(is_axis);
-            let axes = open.iter().filter(|(_, value)| fits(&self.arena, &FormalKind::Axis, value));
-            let axes: Vec<FrameId> = axes.map(|(_, value)| frame(value)).collect();
-            let is_beside = |own: FrameId| if is_axis(formal) { own == last_frame } else { has_axis && axes.contains(&own) };
-            let fitting: Vec<usize> = (0..open.len()).filter(|place| fits(&self.arena, &formal.kind, &open[*place].1)).collect();
-            let place = *fitting.iter().find(|place| is_beside(frame(&open[**place].1))).or(fitting.first())?;
-            let (argument, value) = open.remove(place);
-            ordered.push(argument.value.to_string());
-            last_frame = frame(&value);
-        }
+        let ordered = reordered(&self.arena, definition, given, values?)?;
         let name = definition.name.to_string();
         let instead = format!("{name}({})", ordered.join(", "));
         self.diag.withdraw(before);
         self.refuse(first.value.range.to(last.value.range), ArityFact::OtherOrder { name, instead, signature: signature(definition) })
     }
 
-    /// Refuses arguments that lack nothing but axes, as those of a joint of the plane do in space, and shows them with axes.
-    pub(super) fn has_its_axes(&mut self, definition: &Definition, kind: &Ident, given: &[Argument], scope: &Scope) -> Option<()> {
+    /// Refuses arguments that fit in order but for some between them, which are missing, and shows them completed.
+    pub(super) fn lack_none_between(&mut self, definition: &Definition, kind: &Ident, given: &[Argument], scope: &Scope) -> Option<()> {
         let needed = definition.parameters.iter().filter(|formal| formal.default.is_none());
-        let is_short = given.len() < needed.count() && given.iter().all(|argument| argument.name.is_none());
-        if self.names.ambient != Ambient::Space || !is_short {
+        if given.len() >= needed.count() || given.iter().any(|argument| argument.name.is_some()) {
             return Some(());
         }
         let before = self.diag.refusals().len();
         let values: Option<Vec<Value>> = given.iter().map(|argument| self.value(&argument.value, scope)).collect();
         self.diag.withdraw(before);
-        let mut open = given.iter().zip(values.unwrap_or_default()).peekable();
+        let values = values.filter(|values| !values.iter().any(|value| matches!(value, Value::Joint { .. }))).unwrap_or_default();
+        let Some(places) = fitted(&self.arena, definition, &values).filter(|places| !places.is_empty()) else { return Some(()) };
+        let is_missing = |(index, formal): &(usize, &Formal)| formal.default.is_none() && !places.contains(index);
+        let missing: Vec<&Formal> = definition.parameters.iter().enumerate().filter(is_missing).map(|(_, formal)| formal).collect();
+        let written: Vec<(usize, String)> =
+            places.iter().zip(given).map(|(place, argument)| (*place, argument.value.to_string())).collect();
+        if self.names.ambient == Ambient::Space && missing.iter().all(|formal| matches!(formal.kind, FormalKind::Axis)) {
+            return self.have_axes(definition, kind, &written, &values);
+        }
+        // In order up to the end: the last ones are missing.
+        if places.iter().copied().eq(0..places.len()) {
+            return Some(());
+        }
+        let names = missing.iter().map(|formal| formal.name.to_string()).collect();
+        let instead = completed(definition, &written, self.names.ambient).map_or(MeantFor::Nothing, MeantFor::Complete);
+        self.refuse(kind, too_few(definition, given.len(), names, instead))
+    }
+
+    /// Refuses arguments that lack nothing but axes, as those of a joint of the plane do in space, and shows them with axes.
+    fn have_axes(&mut self, definition: &Definition, kind: &Ident, given: &[(usize, String)], values: &[Value]) -> Option<()> {
         let (mut written, mut missing, mut without) = (Vec::new(), Vec::new(), Vec::new());
         let mut last: Option<(String, FrameId)> = None;
-        for formal in &definition.parameters {
-            match open.next_if(|(_, value)| fits(&self.arena, &formal.kind, value)) {
-                Some((argument, value)) => {
-                    written.push(argument.value.to_string());
-                    if let Value::Point(point) = value {
+        for (index, formal) in definition.parameters.iter().enumerate() {
+            match given.iter().position(|(place, _)| *place == index) {
+                Some(number) => {
+                    written.push(given[number].1.clone());
+                    if let Value::Point(point) = &values[number] {
                         last = written.last().and_then(|text| text.rsplit_once('.')).map(|(owner, _)| (owner.to_owned(), point.frame));
                     }
                 }
-                None if matches!(formal.kind, FormalKind::Axis) => {
+                None if formal.default.is_some() => {}
+                None => {
                     let Some((owner, frame)) = &last else { return Some(()) };
                     if self.names.an_axis_of(*frame).is_none() && !without.contains(owner) {
                         without.push(owner.clone());
@@ -73,12 +76,7 @@ impl Elaborator<'_> {
                     written.push(format!("{owner}.{}", self.names.an_axis_of(*frame).unwrap_or("z")));
                     missing.push(formal.name.to_string());
                 }
-                None if formal.default.is_some() => {}
-                None => return Some(()),
             }
-        }
-        if missing.is_empty() || open.next().is_some() {
-            return Some(());
         }
         let (definition, signature) = (definition.name.to_string(), signature(definition));
         let instead = format!("{definition}({})", written.join(", "));

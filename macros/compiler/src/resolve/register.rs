@@ -188,7 +188,7 @@ impl Elaborator<'_> {
         let known = register.output_names.entry((context.space, output.name.to_string())).or_default();
         let is_like_others = known.first().is_none_or(|other| other.len() == indices.len());
         if !is_like_others || !known.insert(indices) {
-            let fact = duplicate(name.to_string(), "another output", context.bound.last().filter(|_| is_like_others));
+            let fact = duplicate(name.to_string(), "another output", if is_like_others { &context.bound } else { &[] }, &output.indices);
             self.unless_refused(output, |this| this.refuse::<()>(&output.name, fact));
             return;
         }

@@ -11,13 +11,18 @@
 //! ```
 
 use super::ast::{Expression, ExpressionKind, Operator, Path, Relation};
+use super::slip::{
+    closure, each_index_by_itself, no_brackets, no_choice_behind, no_constant, no_parentheses, no_percentage, no_unit_raised,
+    without_module,
+};
 use super::tokens::{Parsed, braces, brackets, equals, expected, is_path, keyword, literal, name, parentheses, path, semicolon, wrong};
 use crate::diag::{GrammarFact, Range};
 use crate::quantity;
-use proc_macro2::{Delimiter, Span, TokenTree};
+use proc_macro2::{Delimiter, Span};
 use quote::ToTokens;
-use syn::parse::{ParseBuffer, ParseStream};
-use syn::{Ident, Lit, LitBool, LitInt, Token, token};
+use syn::ext::IdentExt;
+use syn::parse::ParseStream;
+use syn::{Ident, Lit, LitBool, Token, token};
 
 /// `= expression;`
 pub(super) fn value(input: ParseStream) -> Parsed<Expression> {
@@ -59,7 +64,7 @@ pub(super) fn relation(input: ParseStream) -> Parsed<Relation> {
     Ok(relation?)
 }
 
-fn sum(input: ParseStream, room: u16) -> Parsed<Expression> {
+pub(super) fn sum(input: ParseStream, room: u16) -> Parsed<Expression> {
     let mut left = product(input, room)?;
     loop {
         let operator = if input.peek(Token![+]) {
@@ -69,6 +74,7 @@ fn sum(input: ParseStream, room: u16) -> Parsed<Expression> {
             input.parse::<Token![-]>()?;
             Operator::Sub
         } else {
+            no_choice_behind(input, &left, room)?;
             return Ok(left);
         };
         left = binary(operator, left, product(input, room)?)?;
@@ -134,20 +140,6 @@ fn power(input: ParseStream, room: u16) -> Parsed<Expression> {
     binary(Operator::Power, base, exponent)
 }
 
-/// Refuses `10^3g`.
-fn no_unit_raised(input: ParseStream, base: &Expression) -> Parsed<()> {
-    let ahead = input.fork();
-    let minus = if ahead.parse::<Option<Token![-]>>()?.is_some() { "-" } else { "" };
-    match ahead.parse::<Option<LitInt>>()? {
-        Some(exponent) if !exponent.suffix().is_empty() => {
-            let flaw = "a unit belongs to the number before it, here to the exponent";
-            let instead = format!("1e{minus}{}{}", exponent.base10_digits(), exponent.suffix());
-            wrong(base.range.to(exponent.span()), GrammarFact::Misspelt { flaw, instead })
-        }
-        _ => Ok(()),
-    }
-}
-
 fn postfix(input: ParseStream, room: u16) -> Parsed<Expression> {
     let mut value = atom(input, room)?;
     if let ExpressionKind::Number { digits, unit } = &value.kind
@@ -173,6 +165,7 @@ fn postfix(input: ParseStream, room: u16) -> Parsed<Expression> {
         }
         let field: Ident = input.parse()?;
         if input.peek(token::Paren) {
+            without_module(input, &value, &field, room)?;
             return wrong(&field, GrammarFact::MethodCall { name: field.to_string() });
         }
         let range = value.range.to(&field);
@@ -180,33 +173,11 @@ fn postfix(input: ParseStream, room: u16) -> Parsed<Expression> {
     }
 }
 
-/// Refuses `20%`.
-fn no_percentage(input: ParseStream, value: &Expression, digits: &str) -> Parsed<()> {
-    let ahead = input.fork();
-    match ahead.parse::<Option<Token![%]>>()? {
-        Some(sign) if is_end(&ahead) => {
-            let instead = (digits.parse::<f64>().unwrap_or(0.0) / 100.0).to_string();
-            wrong(value.range.to(sign.span), GrammarFact::Misspelt { flaw: "`%` is the rest of a division", instead })
-        }
-        _ => Ok(()),
-    }
-}
-
-/// Refuses `100[mm]`.
-fn no_brackets(input: ParseStream, value: &Expression, digits: &str) -> Parsed<()> {
-    let Some((inside, ..)) = input.cursor().group(Delimiter::Bracket) else { return Ok(()) };
-    let unit = inside.token_stream().to_string();
-    if quantity::unit(&unit).is_none() {
-        return Ok(());
-    }
-    let instead = format!("{digits}{unit}");
-    wrong(value.range, GrammarFact::Misspelt { flaw: "a unit stands right behind its number, without brackets", instead })
-}
-
 /// `[index]` after a name, with the range of its brackets.
 fn index(input: ParseStream, room: u16) -> Parsed<(Expression, Range)> {
     let (content, range) = brackets(input)?;
     let index = sum(&content, room)?;
+    each_index_by_itself(&content, &index, room)?;
     if content.is_empty() { Ok((index, range)) } else { expected(&content, "`]`") }
 }
 
@@ -239,17 +210,18 @@ fn atom(input: ParseStream, room: u16) -> Parsed<Expression> {
         let (content, range) = brackets(input)?;
         return node(ExpressionKind::List(list(&content, room)?), range);
     }
+    // A function of other languages, a word of Rust.
+    if input.peek(Token![mod]) && input.peek2(token::Paren) {
+        let word = Ident::parse_any(input)?;
+        let range = Range::from(&word);
+        return call(input, Path { tokens: word.to_token_stream(), last: word.clone(), name: Some(word), range }, room);
+    }
     if is_path(input) {
         let path = path(input)?;
         if input.peek(token::Paren) {
             return call(input, path, room);
         }
-        let constants = [("PI", "pi"), ("TAU", "2 * pi"), ("E", "exp(1)")];
-        let constant = constants.iter().find(|(name, _)| path.name.is_none() && path.last == name);
-        if let Some((_, instead)) = constant {
-            let written = path.tokens.to_string().replace(' ', "");
-            return wrong(path.range, GrammarFact::RustConstant { written, instead });
-        }
+        no_constant(&path)?;
         let range = path.range;
         return node(ExpressionKind::Path(path), range);
     }
@@ -258,19 +230,9 @@ fn atom(input: ParseStream, room: u16) -> Parsed<Expression> {
         return wrong(input.span(), GrammarFact::Misspelt { flaw: "a law is an expression of `t`, not a closure", instead });
     }
     if input.peek(Token![return]) {
-        return wrong(input.span(), GrammarFact::Return);
+        return wrong(input.span(), GrammarFact::Return { is_segment: input.peek2(token::Paren) });
     }
     expected(input, "an expression")
-}
-
-/// The tokens behind `|name|` of a closure; none behind a norm.
-fn closure(input: ParseStream<'_>) -> Option<ParseBuffer<'_>> {
-    let ahead = input.fork();
-    ahead.parse::<Token![|]>().ok()?;
-    ahead.parse::<Ident>().ok()?;
-    ahead.parse::<Token![|]>().ok()?;
-    let begins = ahead.peek(Ident) || ahead.peek(token::Paren) || ahead.peek(Lit);
-    begins.then_some(ahead)
 }
 
 fn number(input: ParseStream) -> Parsed<Expression> {
@@ -301,7 +263,7 @@ fn is_unit(input: ParseStream) -> bool {
 }
 
 /// True where no number can follow.
-fn is_end(input: ParseStream) -> bool {
+pub(super) fn is_end(input: ParseStream) -> bool {
     input.is_empty()
         || input.peek(Token![;])
         || input.peek(Token![,])
@@ -348,7 +310,7 @@ fn call(input: ParseStream, path: Path, room: u16) -> Parsed<Expression> {
     node(ExpressionKind::Call(path, arguments), range)
 }
 
-fn list(content: ParseStream, room: u16) -> Parsed<Vec<Expression>> {
+pub(super) fn list(content: ParseStream, room: u16) -> Parsed<Vec<Expression>> {
     let mut items = Vec::new();
     while !content.is_empty() {
         if content.peek(Ident) && content.peek2(Token![:]) && !content.peek2(Token![::]) {
@@ -409,20 +371,6 @@ fn choice(input: ParseStream, room: u16) -> Parsed<Expression> {
     node(ExpressionKind::If { lhs, relation, rhs, then, otherwise }, range)
 }
 
-/// Refuses `if (a < b) {`, as it is written in C.
-fn no_parentheses(input: ParseStream) -> Parsed<()> {
-    let Some((inside, span, after)) = input.cursor().group(Delimiter::Parenthesis) else { return Ok(()) };
-    let is_joined = after.punct().is_some_and(|(sign, _)| ['&', '|'].contains(&sign.as_char()));
-    let is_condition = after.group(Delimiter::Brace).is_some() || is_joined;
-    let compares = |token: TokenTree| matches!(token, TokenTree::Punct(sign) if ['<', '>', '&', '|', '='].contains(&sign.as_char()));
-    let joins = |token: &TokenTree| matches!(token, TokenTree::Punct(sign) if ['&', '|'].contains(&sign.as_char()));
-    match is_condition && inside.token_stream().into_iter().any(compares) {
-        false => Ok(()),
-        true if is_joined || inside.token_stream().into_iter().any(|token| joins(&token)) => wrong(span.join(), GrammarFact::TwoConditions),
-        true => wrong(span.join(), GrammarFact::ConditionInParentheses),
-    }
-}
-
 fn braced(input: ParseStream, room: u16) -> Parsed<Expression> {
     if !input.peek(token::Brace) {
         return expected(input, "`{ value }`");
@@ -440,7 +388,7 @@ fn binary(operator: Operator, left: Expression, right: Expression) -> Parsed<Exp
     node(ExpressionKind::Binary(operator, Box::new(left), Box::new(right)), range)
 }
 
-fn deeper(room: u16, range: Range) -> Parsed<u16> {
+pub(super) fn deeper(room: u16, range: Range) -> Parsed<u16> {
     match room.checked_sub(1) {
         Some(room) => Ok(room),
         None => wrong(range, GrammarFact::TooDeep { limit: NESTING }),

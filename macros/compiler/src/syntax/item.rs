@@ -13,6 +13,7 @@ use super::options::{Options, options, passing, velocity};
 use super::output::output;
 use super::repeated::{component, part, repeated_items};
 use super::salvage;
+use super::slip::no_constant;
 use super::tokens::{
     Parsed, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, mentions_masses, name, name_before_block,
     parentheses, path, report, semicolon, skip_item, skip_to_block, visibility, wrong,
@@ -317,6 +318,12 @@ fn uses(input: ParseStream) -> Parsed<Vec<Use>> {
 }
 
 fn renamed(input: ParseStream, path: super::ast::Path) -> Parsed<Use> {
+    let first = path.tokens.clone().into_iter().next().map_or(String::new(), |word| word.to_string());
+    if ["std", "core", "libm"].contains(&first.as_str()) {
+        no_constant(&path)?;
+        let flaw = "`use` brings in constraints, forces, functions and components; functions of numbers stand by themselves";
+        return wrong(path.range, GrammarFact::Misspelt { flaw, instead: format!("{}(…)", path.last) });
+    }
     if !input.peek(Token![as]) {
         return Ok(Use { name: path.last.clone(), path });
     }
@@ -343,6 +350,7 @@ fn parameter(input: ParseStream, docs: Docs) -> Parsed<ParameterItem> {
 fn input_item(input: ParseStream, docs: Docs) -> Parsed<ParameterItem> {
     Ident::parse_any(input)?;
     let (name, indices) = declared(input, "the name of the input")?;
+    no_drive(input, &name)?;
     let dimension = required_dimension(input)?;
     let default = if input.peek(Token![=]) {
         equals(input)?;
@@ -353,6 +361,19 @@ fn input_item(input: ParseStream, docs: Docs) -> Parsed<ParameterItem> {
     let limits = if input.peek(Token![in]) { Some(limits(input)?) } else { None };
     semicolon(input)?;
     Ok(ParameterItem { docs, name, indices, dimension, default, limits })
+}
+
+/// Refuses `input name = drive_angle(…)`.
+fn no_drive(input: ParseStream, name: &Ident) -> Parsed<()> {
+    let ahead = input.fork();
+    let call = ahead.parse::<Token![=]>().ok().and_then(|_| ahead.parse::<Ident>().ok()).filter(|_| ahead.peek(token::Paren));
+    match call.filter(|call| call.to_string().starts_with("drive_")) {
+        Some(call) => {
+            let instead = format!("input {name}: Angle; drive d = {call}(…, {name});");
+            wrong(input.span(), GrammarFact::Misspelt { flaw: "an input is a quantity, which a drive may follow", instead })
+        }
+        None => Ok(()),
+    }
 }
 
 /// `in from..to`, `in from..=to`, or one of them with one end

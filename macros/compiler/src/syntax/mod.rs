@@ -18,6 +18,7 @@ mod options;
 mod output;
 mod repeated;
 mod salvage;
+mod slip;
 mod tokens;
 
 use crate::diag::{Diag, GrammarFact, Refusal};

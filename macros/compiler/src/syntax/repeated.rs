@@ -6,8 +6,8 @@ use super::definition::{ambient, formals};
 use super::expression::{declared, expression};
 use super::frame::marks;
 use super::item::{ItemContext, items};
-use super::tokens::{Parsed, block, docs, equals, expected, keyword, name, report, semicolon, skip_to_block};
-use crate::diag::Diag;
+use super::tokens::{Parsed, block, comma, docs, equals, expected, keyword, name, parentheses, report, semicolon, skip_to_block, wrong};
+use crate::diag::{Diag, GrammarFact};
 use crate::quantity::Ambient;
 use proc_macro2::Ident;
 use std::rc::Rc;
@@ -71,6 +71,31 @@ pub(super) fn repeated_marks(input: ParseStream) -> Parsed<For<Marks>> {
     Ok(For { variable, bounds, items: repeated })
 }
 
+/// Refuses `for body in bodies.iter()` and `for i in range(3)`.
+fn counts(input: ParseStream, variable: &Ident) -> Parsed<()> {
+    let (ahead, place) = (input.fork(), input.span());
+    let Ok(array) = ahead.parse::<Ident>() else { return Ok(()) };
+    let flaw = "a loop counts whole numbers";
+    if array == "range" && ahead.peek(token::Paren) {
+        let (content, _) = parentheses(&ahead)?;
+        let (first, second) =
+            (expression(&content)?, if comma(&content, "`,`").is_ok() && !content.is_empty() { expression(&content).ok() } else { None });
+        let instead = match second {
+            Some(second) => format!("for {variable} in {first}..{second}"),
+            None => format!("for {variable} in 0..{first}"),
+        };
+        return wrong(place, GrammarFact::Misspelt { flaw, instead });
+    }
+    let is_method = ahead.peek(Token![.]) && !ahead.peek(Token![..]) && {
+        ahead.parse::<Token![.]>()?;
+        ahead.parse::<Ident>().is_ok_and(|method| ["iter", "iter_mut", "into_iter"].iter().any(|known| method == known))
+    };
+    match is_method || ahead.peek(token::Brace) {
+        true => wrong(place, GrammarFact::Misspelt { flaw, instead: format!("for i in 0..3 {{ … {array}[i] … }}") }),
+        false => Ok(()),
+    }
+}
+
 /// `for variable in from..to`
 fn head(input: ParseStream) -> Parsed<(Ident, IndexRange)> {
     input.parse::<Token![for]>()?;
@@ -79,6 +104,7 @@ fn head(input: ParseStream) -> Parsed<(Ident, IndexRange)> {
         return expected(input, "`in` and a range such as `0..6`");
     }
     input.parse::<Token![in]>()?;
+    counts(input, &variable)?;
     let from = expression(input)?;
     let is_inclusive = input.peek(Token![..=]);
     if is_inclusive {

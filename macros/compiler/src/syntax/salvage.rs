@@ -83,7 +83,7 @@ fn meant(word: &str, ambient: Ambient, rest: ParseStream) -> Option<String> {
             Home::Body if rest.peek(token::Brace) => "body",
             Home::Drive(_) => "drive",
             Home::Force(_) => "force",
-            Home::Joint(_) | Home::Equation | Home::Body => "joint",
+            Home::Joint(_) | Home::Equation | Home::Body | Home::Nothing => "joint",
         };
         Some(kind.to_owned())
     })

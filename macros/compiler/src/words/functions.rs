@@ -23,7 +23,7 @@ const FUNCTIONS: [(&[&str], &str, &str); 38] = [
         "write `x / sqrt(x^2 + w^2)`, smooth over a small `w`, or `if x < 0 { -1 } else { 1 }`",
     ),
     (
-        &["floor", "ceil", "round", "trunc", "fract", "fmod", "modulo", "rem"],
+        &["floor", "ceil", "round", "trunc", "fract", "fmod", "mod", "modulo", "rem"],
         ": it jumps, where no derivative exists",
         "write `wrap(x)` for an angle within half a turn, or a law that repeats, such as `segments(…, periodic)`",
     ),

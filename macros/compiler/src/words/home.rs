@@ -15,10 +15,12 @@ pub enum Home {
     Equation,
     /// A body, and joints with others.
     Body,
+    /// No item: a body that no joint holds moves freely.
+    Nothing,
 }
 
 /// Words with their equivalents in the plane and in space.
-const HOMES: [(&[&str], Home, Home); 30] = [
+const HOMES: [(&[&str], Home, Home); 31] = [
     (
         &["revolute", "hinge", "pin", "pivot", "rotary", "rotational", "bearing"],
         Home::Joint(&["revolute(P, Q)"]),
@@ -65,6 +67,7 @@ const HOMES: [(&[&str], Home, Home); 30] = [
         Home::Joint(&["revolute(P, Q)"]),
         Home::Joint(&["constant_velocity(P, a, Q, b)"]),
     ),
+    (&["floating", "free", "free_joint", "floating_joint", "free_flyer", "freeflyer", "six_dof"], Home::Nothing, Home::Nothing),
     (&["cylindrical"], Home::Joint(&["translational(u, P, Q)"]), Home::Joint(&["cylindrical(P, a, Q, b)"])),
     (
         &["screw", "lead_screw", "ball_screw", "helical"],

@@ -29,5 +29,10 @@ crate::refusals! {
     item damper_of_a_hinge: "force drag = «damper»(hinge, 5Nms_rad);" => "`damper` takes 3 arguments, found 2: `damping` is missing\nhelp: `torsion_damper` acts about a hinge\nnote: `damper(P: Point, Q: Point, damping: Mass / Time)`";
     item damper_of_a_slide: "force drag = «damper»(slide, 5Ns_m);" => "`damper` takes 3 arguments, found 2: `damping` is missing\nhelp: for a joint, write its two points instead of its name\nnote: `damper(P: Point, Q: Point, damping: Mass / Time)`";
     item constant_force_without_a_size: "force pull = «constant_force»(crank.A, ground.C);" => "`constant_force` takes 3 arguments, found 2: `force` is missing\nnote: `constant_force(P: Point, Q: Point, force: Force)`";
+    item axis_before_two_points_is_missing: "joint a = «translational»(ground.O, crank.O);" => "`translational` takes 3 or 4 arguments, found 2: `u` is missing\nhelp: write `translational((1, 0), ground.O, crank.O)`\nnote: `translational(u: Axis, P: Point, Q: Point, c: Angle = …)`";
+    item motor_on_ground: "force m = «motor»(crank, 5Nm);" => "`motor` takes 3 arguments, found 2: `two` is missing\nhelp: write `motor(ground, crank, 5Nm)`\nnote: `motor(one: Body, two: Body, torque: Torque)`";
+    item drive_against_ground: "drive d = «drive_relative_angle»(crank, 1rad);" => "`drive_relative_angle` takes 3 arguments, found 2: `j` is missing\nhelp: write `drive_relative_angle(ground, crank, 1rad)`\nnote: `drive_relative_angle(i: Body, j: Body, C: Angle)`";
+    item table_before_its_argument: "output b = «table»([(0, 1), (1, 2)], t);" => "`table` takes its argument first\nhelp: write `table(t, […])`";
+    item spline_before_its_argument: "output b = «spline»([(0, 1), (1, 2)], t);" => "`spline` takes its argument first\nhelp: write `spline(t, […])`";
     item wrap_with_a_period: "output b = «wrap»(crank.angle, 360deg);" => "`wrap` takes 1 argument, found 2";
 }

@@ -5,6 +5,8 @@ crate::refusals! {
     item body_without_index: "for i in 0..2 { body «b» {} }" => "every round of the loop would declare another `b`\nhelp: write `b[i]`";
     item point_without_index: "body b { for i in 0..2 { point «P» = (i * 1m, 0m); } }" => "every round of the loop would declare another `P`\nhelp: write `P[i]`";
     item joint_without_index: "for i in 0..2 { joint «j» = revolute(ground.C, crank.A); }" => "every round of the loop would declare another `j`\nhelp: write `j[i]`";
+    item declared_before_the_loop: "body b[0] {} for i in 0..2 { body «b»[i] {} }" => "`b[0]` is declared twice: here, and outside of this loop or in another round of it\nhelp: count on from there, as in `[i + 1]`";
+    mechanism array_as_in_c: "mechanism M { ground { axis u = (1, 0); } body «link»[3] {} joint h = revolute(ground.position, link[0].position); for i in 0..3 { drive d[i] = drive_angle(link[i], 1rad); } }" => "there is a body `link[3]` but no `link[0]`\nhelp: the indices of an array run from 0 without gaps; 3 of them are written `for i in 0..3 { body link[i] … }`";
     item index_of_one_loop_of_two: "for i in 0..2 { for j in 0..2 { body «b»[i] {} } }" => "`b[0]` is declared twice\nhelp: every loop around it needs an index of its own, such as `[j]`";
     item body_of_an_array_twice: "body b[0] {} body «b»[0] {}" => "the name `b[0]` is taken: a body has it\nhelp: choose another name";
     item array_with_a_single_name: "body b {} body «b»[0] {}" => "the name `b[0]` is taken: a body has it\nhelp: choose another name";

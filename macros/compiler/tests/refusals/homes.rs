@@ -95,6 +95,8 @@ crate::refusals! {
     mechanism continuous_of_urdf: "mechanism M { ground { axis u = (1, 0); } body a { } joint h = «continuous»(ground.position, a.position); }" => "no constraint is called `continuous`\nhelp: did you mean `revolute`?";
     mechanism concentric_of_cad: "mechanism M { ground { axis u = (1, 0); } body a { } joint h = «concentric»(ground.position, a.position); }" => "no constraint is called `concentric`\nhelp: did you mean `revolute`?";
     mechanism in_line_of_adams: "mechanism M { ground { axis u = (1, 0); } body a { } joint h = «InlineJoint»(ground.position, a.position); }" => "no constraint is called `InlineJoint`\nhelp: did you mean `point_on_line`?";
+    mechanism joint_that_holds_nothing: "mechanism M { ground { axis u = (1, 0); } body a { } joint h = «floating»(ground, a); }" => "no constraint is called `floating`\nhelp: take it away: a body that no joint holds moves freely";
+    mechanism item_that_holds_nothing: "mechanism M { ground { axis u = (1, 0); } body a { } «free_joint» h = 1; }" => "`free_joint` is no item of a mechanism\nhelp: take it away: a body that no joint holds moves freely";
     mechanism worm_and_wheel: "mechanism M { ground { axis u = (1, 0); } body a { } joint h = «worm_gear»(ground.position, a.position); }" => "no constraint is called `worm_gear`\nhelp: did you mean `gear_pair`?";
     mechanism contact_as_a_joint: "mechanism M { ground { axis u = (1, 0); } body a { } joint h = «contact»(ground.position, a.position); }" => "no constraint is called `contact`\nhelp: write `force name = stop_along(P, u, Q, limit, force, depth);`";
 }

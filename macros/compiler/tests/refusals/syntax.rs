@@ -157,6 +157,20 @@ crate::refusals! {
     item function_in_braces: "function f(x: Angle) -> Length «{» 2mm * x }" => "expected `=`, found `{`\nhelp: a value stands behind `=`, without braces";
     item output_with_jerks: "output b = crank.A with «jerks»;" => "expected `jerk` after `with`, found `jerks`\nhelp: did you mean `jerk`?";
     item parameter_without_dimension: "param a«;»" => "expected `:` and a dimension such as `Length`, found `;`\nhelp: write the dimension behind the name, as in `name: Length = …;`";
+    item choice_as_in_python: "drive d = drive_angle(crank, 1rad «if» t < 1s else 2rad);" => "a choice begins with its condition\nhelp: write `if t < 1s { 1rad } else { 2rad }`";
+    item half_a_choice_as_in_python: "drive d = drive_angle(crank, 1rad «if» t);" => "a choice begins with its condition\nhelp: write `if a < b { 1rad } else { … }`";
+    item choice_by_match: "drive d = drive_angle(crank, «match» t { _ => 1rad });" => "expected an expression, found `match`\nhelp: choose by `if a < b { x } else { y }`";
+    item function_of_a_module: "output b = «np.sin»(crank.angle / 2);" => "functions stand by themselves\nhelp: write `sin(crank.angle / 2)`";
+    item remainder_as_a_function: "output b = «mod»(crank.angle, 2);" => "no function is called `mod`: it jumps, where no derivative exists\nhelp: write `wrap(x)` for an angle within half a turn, or a law that repeats, such as `segments(…, periodic)`";
+    item constant_brought_in: "use «std::f64::consts::PI»;" => "`std::f64::consts::PI` is a constant of Rust\nhelp: write `pi`";
+    item function_of_rust_brought_in: "use «libm::sqrt»;" => "`use` brings in constraints, forces, functions and components; functions of numbers stand by themselves\nhelp: write `sqrt(…)`";
+    item two_indices_in_one: "body b[«0, 1»] {}" => "each index has brackets of its own\nhelp: write `[0][1]`";
+    item vector_without_a_comma: "output b = [100mm «0mm»];" => "expected `,` or the end of the list, found `0mm`\nhelp: write `,` between two values";
+    item loop_over_an_array: "for b in «bars».iter() { drive d = drive_angle(b, 1rad); }" => "a loop counts whole numbers\nhelp: write `for i in 0..3 { … bars[i] … }`";
+    item loop_over_a_name: "for b in «bars» { drive d = drive_angle(b, 1rad); }" => "a loop counts whole numbers\nhelp: write `for i in 0..3 { … bars[i] … }`";
+    item loop_as_in_python: "for i in «range»(3) { body b[i] {} }" => "a loop counts whole numbers\nhelp: write `for i in 0..3`";
+    item loop_as_in_python_from_one: "for i in «range»(1, 3) { body b[i] {} }" => "a loop counts whole numbers\nhelp: write `for i in 1..3`";
+    item input_as_a_drive: "input m «=» drive_angle(crank, 1rad);" => "an input is a quantity, which a drive may follow\nhelp: write `input m: Angle; drive d = drive_angle(…, m);`";
     item start_of_a_body_in_braces: "body b { start «{» angle = 10deg; } }" => "expected `x`, `y`, `angle` or `position`, found `{`\nhelp: say of which coordinate, as in `start x = 200mm;` or `start position = (200mm, 0mm);`";
 }
 

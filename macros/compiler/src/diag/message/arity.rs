@@ -19,6 +19,7 @@ impl Display for ArityFact {
                     (MeantFor::Components(clause), ..) => {
                         write!(f, "\nhelp: a force with given components is written `force name = {{ {clause}; }}`")?;
                     }
+                    (MeantFor::Complete(instead), ..) => write!(f, "\nhelp: write `{instead}`")?,
                     (MeantFor::Hinge, Some(turning), _) => write!(f, "\nhelp: `{turning}` acts about a hinge")?,
                     (MeantFor::Hinge | MeantFor::Joint, _, Some(kind)) if missing.len() == 1 => {
                         let ends = ["axes", "bodies", "points"][usize::from(kind != "Axis") + usize::from(kind == "Point")];

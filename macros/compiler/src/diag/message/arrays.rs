@@ -13,6 +13,10 @@ impl Display for ArrayFact {
             ArrayFact::DuplicateInLoop { name, variable } => {
                 write!(f, "`{name}` is declared twice\nhelp: every loop around it needs an index of its own, such as `[{variable}]`")
             }
+            ArrayFact::DeclaredBefore { name, next } => {
+                write!(f, "`{name}` is declared twice: here, and outside of this loop or in another round of it")?;
+                write!(f, "\nhelp: count on from there, as in `{next}`")
+            }
             ArrayFact::ArrayWithoutIndex { name } => write!(f, "`{name}` is an array\nhelp: say which one, such as `{name}[0]`"),
             ArrayFact::NoArray { found: found @ (Kind::Point | Kind::Vector), is_member: false } => {
                 write!(f, "{found} has no index\nhelp: its components are `.x` and `.y`, in space `.z` too")

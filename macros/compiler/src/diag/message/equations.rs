@@ -10,7 +10,11 @@ impl Display for EquationFact {
         match self {
             EquationFact::TimeIn { place } => {
                 write!(f, "{place} does not change with time: `t` cannot be used in it")?;
-                if *place == "the default of a parameter" { write!(f, "\nhelp: write `let name = …;` for a law") } else { Ok(()) }
+                match *place {
+                    "the default of a parameter" => write!(f, "\nhelp: write `let name = …;` for a law"),
+                    "a point or an axis" => write!(f, "\nhelp: what moves is a body, by a `drive`"),
+                    _ => Ok(()),
+                }
             }
             EquationFact::InputIn { place, input } => {
                 write!(f, "{place} does not change with time: the input `{input}` cannot be used in it")

@@ -60,6 +60,12 @@ impl Display for GrammarFact {
             GrammarFact::Expected { what, found } => {
                 write!(f, "expected {what}, found {}", shortened(found))?;
                 match (*what, found.as_str()) {
+                    ("an expression", "`match`") => write!(f, "\nhelp: choose by `if a < b {{ x }} else {{ y }}`"),
+                    ("`,` or `)`" | "`,` or the end of the list", found)
+                        if found[1..].starts_with(|digit: char| digit.is_ascii_digit()) =>
+                    {
+                        write!(f, "\nhelp: write `,` between two values")
+                    }
                     ("an expression", "`|`") => write!(f, "\nhelp: write `abs(x)`, or `norm(v)` of a vector"),
                     ("an item", "`%`") => write!(f, "\nhelp: a comment begins with `//`"),
                     ("an expression", "`.`") => write!(f, "\nhelp: a number begins with a digit, such as `0.5`"),
@@ -188,8 +194,13 @@ impl Display for GrammarFact {
             }
             GrammarFact::UnknownItem { word, name, home: Some(home) } => {
                 let name = name.as_deref().unwrap_or("name");
-                write!(f, "`{word}` is no item of a mechanism\nhelp: write ")?;
+                write!(f, "`{word}` is no item of a mechanism\nhelp: ")?;
+                if *home == Home::Nothing {
+                    return write!(f, "take it away: a body that no joint holds moves freely");
+                }
+                write!(f, "write ")?;
                 match home {
+                    Home::Nothing => Ok(()),
                     Home::Body => write!(f, "`body {name} {{ … }}`"),
                     Home::Joint(calls) => {
                         let lines: Vec<String> = calls.iter().map(|call| format!("`joint {name} = {call};`")).collect();
@@ -306,8 +317,14 @@ impl Display for GrammarFact {
             GrammarFact::PathOfConstraint { path, last } => {
                 write!(f, "a joint names its constraint by a single word\nhelp: write `use {path};` above, and `{last}(…)` here")
             }
-            GrammarFact::Return => {
+            GrammarFact::Return { is_segment: true } => {
                 write!(f, "expected an expression, found `return`\nhelp: a segment that goes down is `fall(height, duration, law)`")
+            }
+            GrammarFact::Return { .. } => {
+                write!(
+                    f,
+                    "expected an expression, found `return`\nhelp: take it away: an equation is `lhs == rhs;`, a value stands behind `=`"
+                )
             }
             GrammarFact::DoubleStar => write!(f, "`**` is no operator\nhelp: a power is written `a^b`"),
             GrammarFact::MethodCall { name } if PROPERTIES.contains(&name.as_str()) => {

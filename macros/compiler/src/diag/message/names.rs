@@ -158,6 +158,7 @@ impl Display for NameFact {
                     Some(Home::Drive(call)) => write!(f, "\nhelp: write `drive name = {call};`"),
                     Some(Home::Force(call)) => write!(f, "\nhelp: write `force name = {call};`"),
                     Some(Home::Equation) => write!(f, "\nhelp: write its equation, `{{ lhs == rhs; }}`"),
+                    Some(Home::Nothing) => write!(f, "\nhelp: take it away: a body that no joint holds moves freely"),
                     Some(Home::Body) => {
                         write!(f, "\nhelp: declare `body {name} {{ … }}` and join it to others; `distance(P, Q, c)` is a rod without mass")
                     }

@@ -123,7 +123,11 @@ impl Display for ValueFact {
             }
             ValueFact::NotThreeComponents { found, .. } => {
                 write!(f, "a vector in space has 3 components, found {found}")?;
-                if *found == 2 { write!(f, "\nhelp: write the third, which is 0 in the plane of x and y") } else { Ok(()) }
+                match found {
+                    2 => write!(f, "\nhelp: write the third, which is 0 in the plane of x and y"),
+                    4 => write!(f, "\nhelp: an orientation is a turn about an axis, as in `turn((0, 0, 1), 90deg)`, or a product of turns"),
+                    _ => Ok(()),
+                }
             }
             ValueFact::MeansSpace { name, is_component: true } => {
                 write!(f, "`{name}` has words and vectors of space, and a component is in the plane where it does not say `in space`")?;
@@ -167,10 +171,18 @@ impl Display for ValueFact {
             }
             ValueFact::NotAnOutput { found } => {
                 write!(f, "an output is a number, a vector, a point or a body that moves, found {found}")?;
-                if *found != Kind::Orientation {
-                    return Ok(());
+                match found {
+                    Kind::Orientation => {
+                        write!(
+                            f,
+                            "\nhelp: write `state.body().orientation()` in the program; `body.orientation * (1, 0, 0)` is a direction"
+                        )
+                    }
+                    Kind::Joint | Kind::JointOf(_) => {
+                        write!(f, "\nhelp: write a value of it, such as `joint.P`, or in space `joint.angle` or `joint.displacement`")
+                    }
+                    _ => Ok(()),
                 }
-                write!(f, "\nhelp: write `state.body().orientation()` in the program; `body.orientation * (1, 0, 0)` is a direction")
             }
 
             ValueFact::NumberTooLong { number, limit } => {
@@ -202,6 +214,7 @@ impl Display for ValueFact {
                 write!(f, "`table` takes 2 or 3 arguments, found {found}\nnote: `table(x, [(x0, y0), (x1, y1), …], periodic)`")
             }
             ValueFact::TableNeedsList => write!(f, "expected a list of pairs, such as `[(0deg, 0mm), (90deg, 5mm)]`"),
+            ValueFact::TableTakesArgumentFirst { word, instead } => write!(f, "`{word}` takes its argument first\nhelp: write `{instead}`"),
             ValueFact::TableNeedsPairs => write!(f, "expected a pair, such as `(90deg, 5mm)`"),
             ValueFact::TableNotIncreasing { word, before, found, dim } => {
                 let [found, before] = [found, before].map(|value| remedy::quantity(*value, *dim));

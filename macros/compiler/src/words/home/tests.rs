@@ -12,7 +12,7 @@ fn homes_are_pages_of_the_library() {
             let calls: &[&str] = match &home {
                 Home::Joint(calls) => calls,
                 Home::Drive(call) | Home::Force(call) => &[*call],
-                Home::Body | Home::Equation => &[],
+                Home::Body | Home::Equation | Home::Nothing => &[],
             };
             for call in calls {
                 let (name, parameters) = call.trim_end_matches(')').split_once('(').expect("a call");

@@ -1,0 +1,128 @@
+//! Spellings of other languages in expressions, refused with the line to type.
+
+use super::ast::{Expression, ExpressionKind, Path};
+use super::expression::{deeper, is_end, list, relation, sum};
+use super::tokens::{Parsed, parentheses, wrong};
+use crate::diag::GrammarFact;
+use crate::quantity;
+use proc_macro2::{Delimiter, TokenTree};
+use syn::parse::{ParseBuffer, ParseStream};
+use syn::{Ident, Lit, LitInt, Token, token};
+
+/// Refuses `10^3g`.
+pub(super) fn no_unit_raised(input: ParseStream, base: &Expression) -> Parsed<()> {
+    let ahead = input.fork();
+    let minus = if ahead.parse::<Option<Token![-]>>()?.is_some() { "-" } else { "" };
+    match ahead.parse::<Option<LitInt>>()? {
+        Some(exponent) if !exponent.suffix().is_empty() => {
+            let flaw = "a unit belongs to the number before it, here to the exponent";
+            let instead = format!("1e{minus}{}{}", exponent.base10_digits(), exponent.suffix());
+            wrong(base.range.to(exponent.span()), GrammarFact::Misspelt { flaw, instead })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Refuses `20%`.
+pub(super) fn no_percentage(input: ParseStream, value: &Expression, digits: &str) -> Parsed<()> {
+    let ahead = input.fork();
+    match ahead.parse::<Option<Token![%]>>()? {
+        Some(sign) if is_end(&ahead) => {
+            let instead = (digits.parse::<f64>().unwrap_or(0.0) / 100.0).to_string();
+            wrong(value.range.to(sign.span), GrammarFact::Misspelt { flaw: "`%` is the rest of a division", instead })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Refuses `100[mm]`.
+pub(super) fn no_brackets(input: ParseStream, value: &Expression, digits: &str) -> Parsed<()> {
+    let Some((inside, ..)) = input.cursor().group(Delimiter::Bracket) else { return Ok(()) };
+    let unit = inside.token_stream().to_string();
+    if quantity::unit(&unit).is_none() {
+        return Ok(());
+    }
+    let instead = format!("{digits}{unit}");
+    wrong(value.range, GrammarFact::Misspelt { flaw: "a unit stands right behind its number, without brackets", instead })
+}
+
+/// The tokens behind `|name|` of a closure; none behind a norm.
+pub(super) fn closure(input: ParseStream<'_>) -> Option<ParseBuffer<'_>> {
+    let ahead = input.fork();
+    ahead.parse::<Token![|]>().ok()?;
+    ahead.parse::<Ident>().ok()?;
+    ahead.parse::<Token![|]>().ok()?;
+    let begins = ahead.peek(Ident) || ahead.peek(token::Paren) || ahead.peek(Lit);
+    begins.then_some(ahead)
+}
+
+/// Refuses `if (a < b) {`, as it is written in C.
+pub(super) fn no_parentheses(input: ParseStream) -> Parsed<()> {
+    let Some((inside, span, after)) = input.cursor().group(Delimiter::Parenthesis) else { return Ok(()) };
+    let is_joined = after.punct().is_some_and(|(sign, _)| ['&', '|'].contains(&sign.as_char()));
+    let is_condition = after.group(Delimiter::Brace).is_some() || is_joined;
+    let compares = |token: TokenTree| matches!(token, TokenTree::Punct(sign) if ['<', '>', '&', '|', '='].contains(&sign.as_char()));
+    let joins = |token: &TokenTree| matches!(token, TokenTree::Punct(sign) if ['&', '|'].contains(&sign.as_char()));
+    match is_condition && inside.token_stream().into_iter().any(compares) {
+        false => Ok(()),
+        true if is_joined || inside.token_stream().into_iter().any(|token| joins(&token)) => wrong(span.join(), GrammarFact::TwoConditions),
+        true => wrong(span.join(), GrammarFact::ConditionInParentheses),
+    }
+}
+
+/// Refuses `std::f64::consts::PI`.
+pub(super) fn no_constant(path: &Path) -> Parsed<()> {
+    let constants = [("PI", "pi"), ("TAU", "2 * pi"), ("E", "exp(1)")];
+    match constants.iter().find(|(name, _)| path.name.is_none() && path.last == name) {
+        Some((_, instead)) => {
+            let written = path.tokens.to_string().replace(' ', "");
+            wrong(path.range, GrammarFact::RustConstant { written, instead })
+        }
+        None => Ok(()),
+    }
+}
+
+/// Refuses `value if a < b else other`, as it is written in Python, and `a < b ? value : other`, as in C.
+pub(super) fn no_choice_behind(input: ParseStream, value: &Expression, room: u16) -> Parsed<()> {
+    if !input.peek(Token![if]) {
+        return Ok(());
+    }
+    let ahead = input.fork();
+    let other = ahead.parse::<Token![if]>().is_ok().then(|| -> Parsed<String> {
+        let room = deeper(room, value.range)?;
+        let (lhs, relation, rhs) = (sum(&ahead, room)?, relation(&ahead)?, sum(&ahead, room)?);
+        ahead.parse::<Token![else]>()?;
+        Ok(format!("if {lhs} {relation} {rhs} {{ {value} }} else {{ {} }}", sum(&ahead, room)?))
+    });
+    let instead = other.and_then(Parsed::ok).unwrap_or_else(|| format!("if a < b {{ {value} }} else {{ … }}"));
+    wrong(input.span(), GrammarFact::Misspelt { flaw: "a choice begins with its condition", instead })
+}
+
+/// Refuses `np.sin(x)` and `math.sin(x)`.
+pub(super) fn without_module(input: ParseStream, owner: &Expression, function: &Ident, room: u16) -> Parsed<()> {
+    const MODULES: [&str; 12] = ["np", "numpy", "math", "Math", "cmath", "ca", "cs", "casadi", "sp", "sympy", "jnp", "torch"];
+    let ExpressionKind::Path(Path { name: Some(name), .. }) = &owner.kind else { return Ok(()) };
+    if !MODULES.iter().any(|module| name == module) {
+        return Ok(());
+    }
+    let ahead = input.fork();
+    let (content, _) = parentheses(&ahead)?;
+    let arguments: Vec<String> = list(&content, deeper(room, owner.range)?)?.iter().map(ToString::to_string).collect();
+    let instead = format!("{function}({})", arguments.join(", "));
+    wrong(owner.range.to(function), GrammarFact::Misspelt { flaw: "functions stand by themselves", instead })
+}
+
+/// Refuses `[0, 1]` after a name.
+pub(super) fn each_index_by_itself(content: ParseStream, first: &Expression, room: u16) -> Parsed<()> {
+    if !content.peek(Token![,]) {
+        return Ok(());
+    }
+    let ahead = content.fork();
+    let (mut instead, mut range) = (format!("[{first}]"), first.range);
+    while ahead.parse::<Token![,]>().is_ok() {
+        let next = sum(&ahead, room)?;
+        instead += &format!("[{next}]");
+        range = range.to(next.range);
+    }
+    wrong(range, GrammarFact::Misspelt { flaw: "each index has brackets of its own", instead })
+}
