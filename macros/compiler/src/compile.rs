@@ -11,6 +11,7 @@ use crate::hints;
 use crate::import;
 use crate::mobility;
 use crate::model::{Facing, Model};
+use crate::numeric::arms::shafts_for_arms;
 use crate::picture::{self, Picture};
 use crate::plan::{self, Plan};
 use crate::redundancy;
@@ -162,7 +163,8 @@ fn rooms(tree: &ast::Mechanism, definitions: import::Definitions, diag: &mut Dia
     model.doubts.retain(|warning| !is_told(warning));
     model.doubts.extend(angles);
     model.doubts.extend(hints::doubtful_expressions(tree));
-    model.doubts.extend(hints::centered_rods(tree));
+    model.doubts.extend(hints::doubtful_shapes(tree));
+    model.doubts.extend(shafts_for_arms(&model));
     // Every name is an id, every quantity has a dimension.
     let doubts = model.doubts.clone();
     let compiled = after_names(model, diag);

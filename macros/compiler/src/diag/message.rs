@@ -75,6 +75,9 @@ impl fmt::Display for Fact {
             Fact::Noted { fact, note: Note::BareFactor { number, instead } } => {
                 write!(f, "{}\nhelp: `{number}` has no unit: write `{instead}`", without_help(fact))
             }
+            Fact::Doubtful { fact, doubt } if matches!(**doubt, Doubt::ShaftsForArms { .. }) => {
+                write!(f, "{}\nnote: {doubt}", without_help(fact))
+            }
             Fact::Doubtful { fact, doubt } => write!(f, "{fact}\nnote: {doubt}"),
             Fact::InDefinition { definition, quantities, fact } => {
                 write!(f, "in {definition}: {fact}")?;
@@ -166,6 +169,41 @@ impl fmt::Display for Doubt {
             }
             Doubt::RodAcross { body, point, instead } => {
                 write!(f, "a rod lies along x, but `{point}` of `{body}` lies across it\nhelp: write `inertia = {instead};`")
+            }
+            Doubt::ShaftsForArms { joint } => {
+                write!(
+                    f,
+                    "`{joint}` is given two axes in line, as shafts are; those of a universal joint are the arms of its cross, at right angles"
+                )?;
+                write!(
+                    f,
+                    "\nhelp: declare them across the shafts, such as `axis arm = (0, 0, 1);` in one body and `axis arm = (0, 1, 0);` in the other"
+                )
+            }
+            Doubt::DiskAcross { body, axis, instead } => {
+                let shape = instead.split(" along").next().unwrap_or(instead);
+                write!(f, "the axis of `{shape}` lies along z, but `{axis}` of `{body}` lies across it\nhelp: write `inertia = {instead};`")
+            }
+            Doubt::NegativeCoefficient { written, is_damping: true } => {
+                write!(
+                    f,
+                    "`{written}` drives the motion instead of damping it\nhelp: take the minus away, or name the number with `let` if it is meant"
+                )
+            }
+            Doubt::NegativeCoefficient { written, .. } => {
+                write!(
+                    f,
+                    "`{written}` pushes away from the length at rest\nhelp: take the minus away, or name the number with `let` if it is meant"
+                )
+            }
+            Doubt::TurnsAsSpeed { written, in_rpm } => {
+                write!(
+                    f,
+                    "`{written}` is a number of radians a second\nhelp: write `{in_rpm}` for as many turns, or `rad_s` if radians are meant"
+                )
+            }
+            Doubt::PeriodsAsAngle { written, instead } => {
+                write!(f, "`{written}` is taken in radians\nhelp: write `{instead}`")
             }
             Doubt::PointCalledCenter { body } => {
                 write!(

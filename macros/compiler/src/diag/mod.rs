@@ -137,8 +137,15 @@ impl Diag {
         self.refusals.push(Refusal { fact, range });
     }
 
-    /// Names the first doubt beside errors about lengths, of which it is likely the cause.
+    /// Names the first doubt beside errors about lengths, or about joints, of which it is likely the cause.
     pub(crate) fn explain(&mut self, doubts: &[Warning]) {
+        if let Some(Warning { doubt, .. }) = doubts.iter().find(|warning| matches!(warning.doubt, Doubt::ShaftsForArms { .. })) {
+            for refusal in &mut self.refusals {
+                if matches!(refusal.fact, Fact::System(_)) {
+                    refusal.fact = Fact::Doubtful { fact: Box::new(refusal.fact.clone()), doubt: Box::new(doubt.clone()) };
+                }
+            }
+        }
         let is_of_size = |doubt: &&Warning| matches!(doubt.doubt, Doubt::BareLength { .. } | Doubt::BareAngle { .. });
         let Some(Warning { doubt, .. }) = doubts.iter().find(is_of_size) else { return };
         for refusal in &mut self.refusals {

@@ -112,6 +112,41 @@ pub enum Doubt {
         /// The inertia, as it may be written.
         instead: String,
     },
+    /// A disk across z in a body whose only axis is another one.
+    DiskAcross {
+        /// The body.
+        body: String,
+        /// Its axis.
+        axis: String,
+        /// The inertia, as it may be written.
+        instead: String,
+    },
+    /// A universal joint whose axes lie in line.
+    ShaftsForArms {
+        /// The joint.
+        joint: String,
+    },
+    /// A negative stiffness or damping of a spring or a damper.
+    NegativeCoefficient {
+        /// The number as written.
+        written: String,
+        /// True for a damping.
+        is_damping: bool,
+    },
+    /// A number by a time as an angular velocity.
+    TurnsAsSpeed {
+        /// The quotient as written.
+        written: String,
+        /// The same number of turns a minute.
+        in_rpm: String,
+    },
+    /// The time by a period, which counts turns, as an angle.
+    PeriodsAsAngle {
+        /// The quotient as written.
+        written: String,
+        /// As it may be written.
+        instead: String,
+    },
     /// A point called `center` in a body with a mass.
     PointCalledCenter {
         /// The body.
@@ -176,6 +211,11 @@ impl Warning {
             Doubt::GravityWithoutMass => "gravity_without_mass",
             Doubt::WideInertia { .. } => "wide_inertia",
             Doubt::RodAcross { .. } => "rod_across",
+            Doubt::ShaftsForArms { .. } => "shafts_for_arms",
+            Doubt::DiskAcross { .. } => "disk_across",
+            Doubt::NegativeCoefficient { .. } => "negative_coefficient",
+            Doubt::TurnsAsSpeed { .. } => "turns_as_speed",
+            Doubt::PeriodsAsAngle { .. } => "periods_as_angle",
             Doubt::PointCalledCenter { .. } => "point_called_center",
             Doubt::CenteredRod { .. } => "centered_rod",
             Doubt::Undercut { .. } => "undercut",

@@ -1,5 +1,5 @@
-//! Warnings about valid expressions that are often meant otherwise: powers of numbers with units, frequencies as angles, inputs by the time, free
-//! fall in other units, and free fall where nothing has a mass.
+//! Warnings about valid expressions that are often meant otherwise: powers of numbers with units, frequencies and periods as angles, inputs by the
+//! time, negative stiffnesses, free fall in other units, and free fall where nothing has a mass.
 
 use crate::diag::{Doubt, Range, Warning, quantity as in_words};
 use crate::quantity::{self, Dim};
@@ -15,12 +15,14 @@ struct Suspects {
     inputs: BTreeSet<String>,
     /// Frequencies.
     frequencies: BTreeSet<String>,
+    /// Times.
+    periods: BTreeSet<String>,
 }
 
 /// Warnings about the expressions of a mechanism.
 pub(crate) fn doubtful_expressions(tree: &Mechanism) -> Vec<Warning> {
     let is_rate = |dim: Dim| [Dim::ANGLE, Dim::LENGTH].contains(&dim.times(Dim::TIME));
-    let (mut inputs, mut frequencies) = (BTreeSet::new(), BTreeSet::new());
+    let (mut inputs, mut frequencies, mut periods, mut found) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new(), Vec::new());
     for item in every_item(&tree.items) {
         let (Item::Parameter(quantity) | Item::Input(quantity)) = item else { continue };
         let (name, dim) = (quantity.name.to_string(), quantity.dimension.dim());
@@ -28,17 +30,21 @@ pub(crate) fn doubtful_expressions(tree: &Mechanism) -> Vec<Warning> {
             inputs.insert(name);
         } else if dim == Some(Dim::NUMBER.per(Dim::TIME)) {
             frequencies.insert(name);
+        } else if dim == Some(Dim::TIME) {
+            periods.insert(name);
         }
+        found.extend(turns_as_speed(&quantity.default).filter(|_| dim == Some(Dim::ANGLE.per(Dim::TIME))));
     }
     // A parameter of a component may have the name of an input.
     let is_parameter =
         |name: &String| every_item(&tree.items).any(|item| matches!(item, Item::Parameter(parameter) if parameter.name == *name));
     inputs.retain(|name| !is_parameter(name));
-    let (names, mut found) = (Suspects { inputs, frequencies }, Vec::new());
+    let names = Suspects { inputs, frequencies, periods };
     for item in every_item(&tree.items) {
         let at_top = written_in(item);
         at_top.iter().for_each(|value| value.each(&mut |part| found.extend(names.doubt(part))));
         found.extend(names.turns_driven(item));
+        found.extend(negative_coefficients(item));
         if let Item::Gravity(gravity) = item {
             found.extend(unusual_gravity(&gravity.value));
             let without_mass = Warning { doubt: Doubt::GravityWithoutMass, range: gravity.value.range };
@@ -119,8 +125,29 @@ impl Suspects {
         }
         let is_law = |argument: &&Argument| argument.name.as_ref().is_some_and(|name| name == "C");
         let law = &arguments.iter().find(is_law).or(arguments.last())?.value;
-        by_time(law, &self.frequencies)?;
-        Some(Warning { doubt: Doubt::TurnsAsAngle { written: law.to_string() }, range: law.range })
+        let written = law.to_string();
+        let doubt = match self.by_period(law) {
+            Some(instead) => Doubt::PeriodsAsAngle { written, instead },
+            None => by_time(law, &self.frequencies).map(|_| Doubt::TurnsAsAngle { written })?,
+        };
+        Some(Warning { doubt, range: law.range })
+    }
+
+    /// `t / T` and `360 * t / T` with an angle in front.
+    fn by_period(&self, law: &Expression) -> Option<String> {
+        let ExpressionKind::Binary(Operator::Div, above, period) = &law.kind else { return None };
+        let period = period.name().map(ToString::to_string).filter(|name| self.periods.contains(name))?;
+        let is_time = |value: &Expression| value.name().is_some_and(|name| name == "t");
+        match &above.kind {
+            _ if is_time(above) => Some(format!("1turn * t / {period}")),
+            ExpressionKind::Binary(Operator::Mul, factor, time) if is_time(time) => match &factor.kind {
+                ExpressionKind::Number { digits, unit } if unit.is_empty() && ["90", "180", "360"].contains(&digits.as_str()) => {
+                    Some(format!("{digits}deg * t / {period}"))
+                }
+                _ => None,
+            },
+            _ => None,
+        }
     }
 
     fn doubt(&self, value: &Expression) -> Option<Warning> {
@@ -138,6 +165,38 @@ impl Suspects {
             _ => None,
         }
     }
+}
+
+/// Doubts `1 / 0.5s` as an angular velocity.
+fn turns_as_speed(value: &Expression) -> Option<Warning> {
+    let ExpressionKind::Binary(Operator::Div, number, time) = &value.kind else { return None };
+    let (ExpressionKind::Number { digits: above, unit: none }, ExpressionKind::Number { digits, unit }) = (&number.kind, &time.kind) else {
+        return None;
+    };
+    let (size, dim) = quantity::unit(unit)?;
+    let per_minute = 60.0 * above.parse::<f64>().ok()? / (digits.parse::<f64>().ok()? * size.to_f64());
+    let doubt = Doubt::TurnsAsSpeed { written: value.to_string(), in_rpm: format!("{per_minute}rpm") };
+    (none.is_empty() && dim == Dim::TIME).then_some(Warning { doubt, range: value.range })
+}
+
+/// Doubts negative stiffnesses and dampings that are written out.
+fn negative_coefficients(item: &Item) -> Vec<Warning> {
+    const DAMPED: [&str; 7] = ["spring", "damper", "spring_damper", "torsion_spring", "torsion_damper", "torsion_spring_damper", "drag"];
+    let Item::Force(force) = item else { return Vec::new() };
+    let JointBody::Of { kind, arguments } = &force.body else { return Vec::new() };
+    if !DAMPED.iter().any(|known| kind == known) {
+        return Vec::new();
+    }
+    let doubt = |argument: &Argument| {
+        let ExpressionKind::Negative(value) = &argument.value.kind else { return None };
+        let ExpressionKind::Number { unit, .. } = &value.kind else { return None };
+        let dim = quantity::unit(unit)?.1;
+        let is_stiffness = [Dim::FORCE.per(Dim::LENGTH), Dim::TORQUE.per(Dim::ANGLE)].contains(&dim);
+        let is_damping = [Dim::FORCE.per(Dim::LENGTH).times(Dim::TIME), Dim::TORQUE.per(Dim::ANGLE).times(Dim::TIME)].contains(&dim);
+        let doubt = Doubt::NegativeCoefficient { written: argument.value.to_string(), is_damping };
+        (is_stiffness || is_damping).then_some(Warning { doubt, range: argument.value.range })
+    };
+    arguments.iter().filter_map(doubt).collect()
 }
 
 /// Doubts free fall that is written out and that is much slower or faster than on earth.

@@ -99,7 +99,7 @@ pub(crate) fn in_words(written: &Expression, value: f64, dim: Dim) -> String {
 }
 
 /// A number without a unit that is a factor of an expression, or of its first term.
-pub(crate) fn bare_factor(value: &Expression) -> Option<String> {
+fn bare_factor(value: &Expression) -> Option<String> {
     match &value.kind {
         ExpressionKind::Number { digits, unit } => unit.is_empty().then(|| digits.clone()),
         ExpressionKind::Negative(inner) => bare_factor(inner),
@@ -107,6 +107,24 @@ pub(crate) fn bare_factor(value: &Expression) -> Option<String> {
         ExpressionKind::Binary(Operator::Add | Operator::Sub | Operator::Div, lhs, _) => bare_factor(lhs),
         _ => None,
     }
+}
+
+/// The name of a factor of a product.
+fn factor_name(value: &Expression) -> Option<String> {
+    let without_sign = |value: &'_ Expression| match &value.kind {
+        ExpressionKind::Negative(inner) => inner.name().map(ToString::to_string),
+        _ => value.name().map(ToString::to_string),
+    };
+    match &value.kind {
+        ExpressionKind::Negative(inner) => factor_name(inner),
+        ExpressionKind::Binary(Operator::Mul, lhs, rhs) => without_sign(lhs).or_else(|| without_sign(rhs)),
+        _ => None,
+    }
+}
+
+/// The factor of a term of a controller: a number without a unit, or a name.
+pub(crate) fn gain(value: &Expression) -> Option<String> {
+    bare_factor(value).or_else(|| factor_name(value))
 }
 
 /// True for a number without a unit, or a list of some.

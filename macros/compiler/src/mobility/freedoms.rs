@@ -233,6 +233,10 @@ fn drive_for(model: &Model, system: &System, unknown: usize) -> String {
         _ if joint.is_some_and(|(_, word)| word == "angle") => {
             format!("drive {name} = drive_rotation({}, 60rpm * t);", joint.map_or("", |(joint, _)| joint))
         }
+        _ if joint.is_some_and(|(_, word)| word.starts_with("angle_")) => {
+            let (joint, word) = joint.unwrap_or((&body.path, "angle_a"));
+            format!("drive {name} = drive_rotation({joint}.{word}, 10deg * sin(1rad_s * t));")
+        }
         _ if joint.is_some_and(|(_, word)| word == "displacement") => {
             format!("drive {name} = drive_translation({}, 10mm * sin(1rad_s * t));", joint.map_or("", |(joint, _)| joint))
         }

@@ -1,7 +1,9 @@
 //! Which parameter each argument is meant for.
 
-use super::signature::fits;
+use super::Names;
+use super::signature::{fits, signature};
 use super::value::{FrameId, Value};
+use crate::diag::ArityFact;
 use crate::expr::Arena;
 use crate::quantity::Ambient;
 use crate::syntax::ast::{Argument, Definition, Formal, FormalKind};
@@ -31,6 +33,37 @@ pub(crate) fn completed(definition: &Definition, given: &[(usize, String)], ambi
     }
     let written: Vec<String> = written.into_iter().map(|(_, text)| text).collect();
     Some(format!("{}({})", definition.name, written.join(", ")))
+}
+
+impl Names {
+    /// The error for arguments that lack nothing but axes, as those of a joint of the plane do in space, with the call that has them;
+    /// `None` if no point tells the body of one.
+    pub(crate) fn with_axes(&self, definition: &Definition, given: &[(usize, String)], values: &[Value]) -> Option<ArityFact> {
+        let (mut written, mut missing, mut without) = (Vec::new(), Vec::new(), Vec::new());
+        let mut last: Option<(String, FrameId)> = None;
+        for (index, formal) in definition.parameters.iter().enumerate() {
+            match given.iter().position(|(place, _)| *place == index) {
+                Some(number) => {
+                    written.push(given[number].1.clone());
+                    if let Value::Point(point) = &values[number] {
+                        last = written.last().and_then(|text| text.rsplit_once('.')).map(|(owner, _)| (owner.to_owned(), point.frame));
+                    }
+                }
+                None if formal.default.is_some() => {}
+                None => {
+                    let (owner, frame) = last.as_ref()?;
+                    if self.an_axis_of(*frame).is_none() && !without.contains(owner) {
+                        without.push(owner.clone());
+                    }
+                    written.push(format!("{owner}.{}", self.an_axis_of(*frame).unwrap_or("z")));
+                    missing.push(formal.name.to_string());
+                }
+            }
+        }
+        let (definition, signature) = (definition.name.to_string(), signature(definition));
+        let instead = format!("{definition}({})", written.join(", "));
+        Some(ArityFact::MissingAxes { definition, signature, missing, instead, without })
+    }
 }
 
 /// The arguments in the order of the parameters that they fit; `None` if they fit in no order.

@@ -14,6 +14,14 @@ impl Names {
         }
     }
 
+    /// A coordinate of the first body, or of a joint in space.
+    pub(crate) fn a_coordinate(&self) -> String {
+        match (self.ambient, self.frames.get(1)) {
+            (Ambient::Plane, Some(frame)) => format!("{}.angle", frame.name),
+            _ => "joint.angle".to_owned(),
+        }
+    }
+
     /// The quantity between the bodies of a joint that names no coordinate: a distance along its axis, or an angle.
     pub(crate) fn coordinates_across(&self, joint: &str, arguments: &[(String, Value)]) -> Vec<String> {
         if let (Some((axis, _)), [(from, _), (to, _)]) = (

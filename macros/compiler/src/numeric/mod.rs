@@ -7,8 +7,10 @@
 //! 2. `search`: multi-start search for assemblies; whole `turns` of free angles are ignored.
 //! 3. `samples`: configurations along the motion.
 //! 4. `gap`: smallest gap of a joint when all others are closed.
-//! 5. `basis`: linear dependence of the rows of Φ_q at several configurations at once.
+//! 5. `arms`: universal joints that were given shafts.
+//! 6. `basis`: linear dependence of the rows of Φ_q at several configurations at once.
 
+pub(crate) mod arms;
 pub(crate) mod basis;
 pub(crate) mod gap;
 pub(crate) mod least_squares;

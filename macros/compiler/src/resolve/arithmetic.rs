@@ -4,7 +4,7 @@ use super::Components;
 use super::elaborate::Elaborator;
 use crate::diag::{ArrayFact, Range, ValueFact, Wanted};
 use crate::expr::{Exact, Expr, Unary};
-use crate::hints::{bare_factor, decimal_comma, in_millimetres, is_measured, noted, with_time_too_much};
+use crate::hints::{decimal_comma, gain, in_millimetres, is_measured, noted, with_time_too_much};
 use crate::names::{Scalar, Scope, Value, Vector, misread_height};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Operator, Relation};
@@ -147,7 +147,7 @@ impl Elaborator<'_> {
         let [one, two] = values.map(|scalar| scalar.measure.settled());
         let is_of_control = [Dim::ANGLE, Dim::LENGTH].contains(&one) && two.times(Dim::TIME) == one;
         let has_rate = ["rate(", "angular_velocity"].iter().any(|word| sides[1].to_string().contains(word));
-        match sides.map(|side| bare_factor(side).filter(|_| has_rate)) {
+        match sides.map(|side| gain(side).filter(|_| has_rate)) {
             [Some(first), Some(second)] if is_of_control => {
                 let fact = ValueFact::BareGains { action: action(operator), one, two, numbers: [first, second] };
                 self.refuse(sides[0].range.to(sides[1].range), fact)

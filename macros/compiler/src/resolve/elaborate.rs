@@ -279,6 +279,10 @@ impl Elaborator<'_> {
         let (size, measure) = match quantity::unit(unit) {
             Some((size, dim)) => (size, InferredDim::Known(dim)),
             None if unit.is_empty() => (Exact::ONE, InferredDim::Any),
+            None if self.names.find(SpaceId::MECHANISM, unit).is_some() => {
+                let (flaw, instead) = ("an operator is missing between a number and a name", format!("{digits} * {unit}"));
+                return self.refuse(range, GrammarFact::Misspelt { flaw, instead });
+            }
             None => {
                 let near = nearest_unit(unit);
                 return self.refuse(range, NameFact::UnknownUnit { number: digits.to_owned(), name: unit.to_owned(), near });

@@ -26,7 +26,8 @@ impl Elaborator<'_> {
         let parts = self.quantities(&freedom.value, scope)?;
         let measure = parts.first()?.measure;
         if parts.iter().all(|part| self.arena.is_fixed(part.expr)) {
-            return self.refuse(range, MotionFact::FreedomOfNothing { name: name.to_string(), value: freedom.value.to_string() });
+            let (value, coordinate) = (freedom.value.to_string(), self.names.a_coordinate());
+            return self.refuse(range, MotionFact::FreedomOfNothing { name: name.to_string(), value, coordinate });
         }
         let timeless = scope.clone().timeless("the initial value of a freedom");
         let per_time = measure.per(InferredDim::Known(Dim::TIME));

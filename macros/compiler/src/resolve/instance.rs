@@ -363,6 +363,11 @@ impl Elaborator<'_> {
                 Ambient::Plane => Some(format!("{argument}.angle")),
                 Ambient::Space => self.hinge_of(*frame),
             },
+            (FormalKind::Point | FormalKind::Axis | FormalKind::Body, Value::Function(_), ast::ExpressionKind::Path(path))
+                if path.name.is_none() =>
+            {
+                Some(argument.to_string().replace("::", "."))
+            }
             (FormalKind::Body, Value::Point(fixed) | Value::Axis(fixed), _) => Some(self.names.frames[fixed.frame.0].name.clone()),
             (FormalKind::Body, Value::Scalar(_), ast::ExpressionKind::Field(body, _)) => {
                 self.body_of(body, scope).map(|frame| self.names.frames[frame.0].name.clone())

@@ -11,7 +11,7 @@ use super::{Body, Mass};
 use crate::diag::{ArityFact, MotionFact, NameFact, Range, ValueFact, Wanted};
 use crate::expr::{Exact, Expr};
 use crate::geometry::turned_tensor;
-use crate::hints::is_bare;
+use crate::hints::{is_bare, is_zero};
 use crate::model::Solid;
 use crate::names::{Key, Scope, Value};
 use crate::quantity::{Ambient, Dim};
@@ -144,7 +144,8 @@ impl Elaborator<'_> {
         }
         if self.names.ambient == Ambient::Plane {
             if let ExpressionKind::Tuple(items) = &written.kind {
-                return self.refuse(written.range, MotionFact::InertiaOfVector { inertia: items.get(2).map(ToString::to_string) });
+                let third = items.get(2).map(|third| items.iter().find(|item| is_zero(third) && !is_zero(item)).unwrap_or(third));
+                return self.refuse(written.range, MotionFact::InertiaOfVector { inertia: third.map(ToString::to_string) });
             }
             return self.scalar_of(written, Dim::INERTIA, scope).map(|scalar| vec![scalar.expr]);
         }

@@ -44,7 +44,8 @@ impl Elaborator<'_> {
         let written: Vec<(usize, String)> =
             places.iter().zip(given).map(|(place, argument)| (*place, argument.value.to_string())).collect();
         if self.names.ambient == Ambient::Space && missing.iter().all(|formal| matches!(formal.kind, FormalKind::Axis)) {
-            return self.have_axes(definition, kind, &written, &values);
+            let fact = self.names.with_axes(definition, &written, &values);
+            return fact.map_or(Some(()), |fact| self.refuse(kind, fact));
         }
         // In order up to the end: the last ones are missing.
         if places.iter().copied().eq(0..places.len()) {
@@ -53,34 +54,6 @@ impl Elaborator<'_> {
         let names = missing.iter().map(|formal| formal.name.to_string()).collect();
         let instead = completed(definition, &written, self.names.ambient).map_or(MeantFor::Nothing, MeantFor::Complete);
         self.refuse(kind, too_few(definition, given.len(), names, instead))
-    }
-
-    /// Refuses arguments that lack nothing but axes, as those of a joint of the plane do in space, and shows them with axes.
-    fn have_axes(&mut self, definition: &Definition, kind: &Ident, given: &[(usize, String)], values: &[Value]) -> Option<()> {
-        let (mut written, mut missing, mut without) = (Vec::new(), Vec::new(), Vec::new());
-        let mut last: Option<(String, FrameId)> = None;
-        for (index, formal) in definition.parameters.iter().enumerate() {
-            match given.iter().position(|(place, _)| *place == index) {
-                Some(number) => {
-                    written.push(given[number].1.clone());
-                    if let Value::Point(point) = &values[number] {
-                        last = written.last().and_then(|text| text.rsplit_once('.')).map(|(owner, _)| (owner.to_owned(), point.frame));
-                    }
-                }
-                None if formal.default.is_some() => {}
-                None => {
-                    let Some((owner, frame)) = &last else { return Some(()) };
-                    if self.names.an_axis_of(*frame).is_none() && !without.contains(owner) {
-                        without.push(owner.clone());
-                    }
-                    written.push(format!("{owner}.{}", self.names.an_axis_of(*frame).unwrap_or("z")));
-                    missing.push(formal.name.to_string());
-                }
-            }
-        }
-        let (definition, signature) = (definition.name.to_string(), signature(definition));
-        let instead = format!("{definition}({})", written.join(", "));
-        self.refuse(kind, ArityFact::MissingAxes { definition, signature, missing, instead, without })
     }
 
     /// The first point of a body that no joint is written with; else its first point, or its origin.

@@ -99,7 +99,8 @@ impl Elaborator<'_> {
         let values: Option<Vec<Value>> = arguments.iter().map(|argument| self.value(argument, scope)).collect();
         let values = values?;
         let Some(axis) = self.as_axis(values[0].clone()) else {
-            if let (Value::Scalar(_), Some(_)) = (&values[0], self.as_axis(values[1 % wanted].clone())) {
+            if let (Value::Scalar(_) | Value::Point(_) | Value::Vector(_), Some(_)) = (&values[0], self.as_axis(values[1 % wanted].clone()))
+            {
                 let call = format!("{word}({}, {})", arguments[1], arguments[0]);
                 return self.refuse(arguments[0].range, ArityFact::FunctionOrder { name: word, call });
             }

@@ -12,8 +12,8 @@
 
 use super::ast::{Expression, ExpressionKind, Operator, Path, Relation};
 use super::slip::{
-    closure, each_index_by_itself, no_brackets, no_choice_behind, no_constant, no_parentheses, no_percentage, no_unit_raised,
-    without_module,
+    closure, each_index_by_itself, no_brackets, no_choice_behind, no_common_unit, no_constant, no_parentheses, no_percentage, no_quotation,
+    no_self, no_unit_raised, without_module,
 };
 use super::tokens::{Parsed, braces, brackets, equals, expected, is_path, keyword, literal, name, parentheses, path, semicolon, wrong};
 use crate::diag::{GrammarFact, Range};
@@ -168,6 +168,7 @@ fn postfix(input: ParseStream, room: u16) -> Parsed<Expression> {
             without_module(input, &value, &field, room)?;
             return wrong(&field, GrammarFact::MethodCall { name: field.to_string() });
         }
+        no_self(&value, &field)?;
         let range = value.range.to(&field);
         value = node(ExpressionKind::Field(Box::new(value), field), range)?;
     }
@@ -238,6 +239,7 @@ fn atom(input: ParseStream, room: u16) -> Parsed<Expression> {
 fn number(input: ParseStream) -> Parsed<Expression> {
     let literal: Lit = input.parse()?;
     let range = Range::from(literal.span());
+    no_quotation(&literal)?;
     let (digits, unit) = match &literal {
         Lit::Int(int) => (int.base10_digits().to_owned(), int.suffix().to_owned()),
         Lit::Float(float) => (float.base10_digits().to_owned(), float.suffix().to_owned()),
@@ -256,7 +258,7 @@ fn number(input: ParseStream) -> Parsed<Expression> {
 }
 
 /// True if a word follows that ends the expression: after a number it can only be meant as a unit.
-fn is_unit(input: ParseStream) -> bool {
+pub(super) fn is_unit(input: ParseStream) -> bool {
     let ahead = input.fork();
     // `a - 30deg from -5deg`, `from 0 at -3rad_s`
     ahead.parse::<Ident>().is_ok_and(|word| word != "at" && word != "from") && (is_end(&ahead) || ahead.peek(Token![-]))
@@ -299,7 +301,10 @@ fn parenthesised(input: ParseStream, room: u16) -> Parsed<Expression> {
             }
             Ok(Expression { range, ..inner })
         }
-        _ => node(ExpressionKind::Tuple(items), range),
+        _ => {
+            no_common_unit(input, &items, range)?;
+            node(ExpressionKind::Tuple(items), range)
+        }
     }
 }
 

@@ -341,9 +341,28 @@ fn parameter(input: ParseStream, docs: Docs) -> Parsed<ParameterItem> {
     }
     equals(input)?;
     let default = expression(input)?;
+    no_least_and_greatest(input, &default)?;
     let limits = if input.peek(Token![in]) { Some(limits(input)?) } else { None };
     semicolon(input)?;
     Ok(ParameterItem { docs, name, indices, dimension, default, limits })
+}
+
+/// Refuses `50mm min 10mm max 60mm`.
+fn no_least_and_greatest(input: ParseStream, default: &Expression) -> Parsed<()> {
+    let ahead = input.fork();
+    let mut ends = [None, None];
+    while let Some(place) = keyword(&ahead).and_then(|word| ["min", "max"].iter().position(|known| word == known)) {
+        Ident::parse_any(&ahead)?;
+        ahead.parse::<Option<Token![=]>>()?;
+        ends[place] = Some(expression(&ahead)?.to_string());
+    }
+    if ends == [None, None] {
+        return Ok(());
+    }
+    let [least, greatest] = ends;
+    let is_closed = if greatest.is_some() { "=" } else { "" };
+    let instead = format!("{default} in {}..{is_closed}{}", least.unwrap_or_default(), greatest.unwrap_or_default());
+    wrong(input.span(), GrammarFact::Misspelt { flaw: "bounds stand behind `in`", instead })
 }
 
 /// `input name: Dimension = start;`; without a start it begins at 0.

@@ -37,6 +37,11 @@ pub(super) fn joint(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
     if input.peek(token::Paren) {
         return wrong(&name, GrammarFact::Unnamed { word, kind: name.to_string() });
     }
+    if input.peek(syn::Ident) && input.peek2(token::Paren) {
+        let second: Ident = input.parse()?;
+        let instead = format!("{word} {second} = {name}(…);");
+        return wrong(&name, GrammarFact::Misspelt { flaw: "the name comes first, and the kind behind `=`", instead });
+    }
     // `drive crank.angle = …`
     if input.peek(Token![.]) && word == Word::Drive {
         let value = expression(&before)?;
@@ -84,6 +89,11 @@ pub(super) fn freedom(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
         expression(input).map(Some)
     };
     let (from, at) = (clause("from")?, clause("at")?);
+    if let (Some(from), None, true) = (&from, &at, input.peek(Token![,])) {
+        let comma = input.parse::<Token![,]>()?.spans[0];
+        let instead = format!("{value} from {from} at {}", expression(input)?);
+        return wrong(comma, GrammarFact::Misspelt { flaw: "the rate at t = 0 stands behind `at`", instead });
+    }
     if let (None, Some(at), Some(late)) = (&from, &at, clause("from")?) {
         let (range, value) = (at.range.to(late.range), value.to_string());
         let is_rate = |number: &Expression| match &number.kind {

@@ -1,9 +1,9 @@
 //! Spellings of other languages in expressions, refused with the line to type.
 
 use super::ast::{Expression, ExpressionKind, Path};
-use super::expression::{deeper, is_end, list, relation, sum};
-use super::tokens::{Parsed, parentheses, wrong};
-use crate::diag::GrammarFact;
+use super::expression::{deeper, is_end, is_unit, list, relation, sum};
+use super::tokens::{Parsed, keyword, parentheses, wrong};
+use crate::diag::{GrammarFact, Range};
 use crate::quantity;
 use proc_macro2::{Delimiter, TokenTree};
 use syn::parse::{ParseBuffer, ParseStream};
@@ -46,12 +46,17 @@ pub(super) fn no_brackets(input: ParseStream, value: &Expression, digits: &str) 
     wrong(value.range, GrammarFact::Misspelt { flaw: "a unit stands right behind its number, without brackets", instead })
 }
 
-/// The tokens behind `|name|` of a closure; none behind a norm.
+/// The tokens behind `|name|` of a closure, or `@(name)` as in MATLAB; none behind a norm.
 pub(super) fn closure(input: ParseStream<'_>) -> Option<ParseBuffer<'_>> {
     let ahead = input.fork();
-    ahead.parse::<Token![|]>().ok()?;
-    ahead.parse::<Ident>().ok()?;
-    ahead.parse::<Token![|]>().ok()?;
+    if ahead.peek(Token![@]) {
+        ahead.parse::<Token![@]>().ok()?;
+        parentheses(&ahead).ok()?;
+    } else {
+        ahead.parse::<Token![|]>().ok()?;
+        ahead.parse::<Ident>().ok()?;
+        ahead.parse::<Token![|]>().ok()?;
+    }
     let begins = ahead.peek(Ident) || ahead.peek(token::Paren) || ahead.peek(Lit);
     begins.then_some(ahead)
 }
@@ -125,4 +130,40 @@ pub(super) fn each_index_by_itself(content: ParseStream, first: &Expression, roo
         range = range.to(next.range);
     }
     wrong(range, GrammarFact::Misspelt { flaw: "each index has brackets of its own", instead })
+}
+
+/// Refuses `(200, 0)mm`.
+pub(super) fn no_common_unit(input: ParseStream, items: &[Expression], range: Range) -> Parsed<()> {
+    let Some(unit) = keyword(input).filter(|word| is_unit(input) && quantity::unit(&word.to_string()).is_some()) else { return Ok(()) };
+    let measured = |item: &Expression| match &item.kind {
+        ExpressionKind::Number { .. } => format!("{item}{unit}"),
+        _ => format!("({item}) * 1{unit}"),
+    };
+    let items: Vec<String> = items.iter().map(measured).collect();
+    let instead = format!("({})", items.join(", "));
+    wrong(range.to(&unit), GrammarFact::Misspelt { flaw: "each number has a unit of its own", instead })
+}
+
+/// Refuses the name of a point in quotation marks.
+pub(super) fn no_quotation(literal: &Lit) -> Parsed<()> {
+    let Lit::Str(text) = literal else { return Ok(()) };
+    let is_name = |text: &str| {
+        let is_of_names = |letter: char| letter.is_alphanumeric() || ['_', '.', '[', ']'].contains(&letter);
+        text.starts_with(char::is_alphabetic) && text.chars().all(is_of_names)
+    };
+    match text.value() {
+        name if is_name(&name) => wrong(literal.span(), GrammarFact::Misspelt { flaw: "names have no quotation marks", instead: name }),
+        _ => Ok(()),
+    }
+}
+
+/// Refuses `self.length`.
+pub(super) fn no_self(owner: &Expression, field: &Ident) -> Parsed<()> {
+    match &owner.kind {
+        ExpressionKind::Path(Path { last, .. }) if last == "self" => {
+            let instead = field.to_string();
+            wrong(owner.range.to(field), GrammarFact::Misspelt { flaw: "names stand by themselves", instead })
+        }
+        _ => Ok(()),
+    }
 }

@@ -1,7 +1,7 @@
 //! Functions of other languages, with their equivalents here.
 
 /// Names of functions, the reason why there is none of these names, if it is not obvious, and what to write.
-const FUNCTIONS: [(&[&str], &str, &str); 38] = [
+const FUNCTIONS: [(&[&str], &str, &str); 39] = [
     (&["pow", "powi", "powf", "power", "sqr", "square", "squared"], "", "a power is written `a^b`"),
     (&["cbrt"], "", "for x > 0 it is the power `x^(1/3)`"),
     (&["hypot"], "", "write `sqrt(a^2 + b^2)`"),
@@ -45,6 +45,11 @@ const FUNCTIONS: [(&[&str], &str, &str); 38] = [
         &["minimum_jerk", "min_jerk", "s_curve", "scurve", "trapezoidal_velocity", "point_to_point"],
         "",
         "write a law that leads from 0 to 1, such as `height * polynomial_345(t / 2s)`",
+    ),
+    (
+        &["rot", "rotx", "roty", "rotz", "rot_x", "rot_y", "rot_z", "rotate", "rotate_x", "rotate_y", "rotate_z", "rotation", "axis_angle"],
+        "",
+        "an orientation is a turn about an axis, such as `turn((0, 0, 1), 30deg)`, or a product of turns",
     ),
     (&["polar", "cis"], "", "write `(r * cos(angle), r * sin(angle))`"),
     (

@@ -22,7 +22,7 @@ pub enum Home {
 /// Words with their equivalents in the plane and in space.
 const HOMES: [(&[&str], Home, Home); 31] = [
     (
-        &["revolute", "hinge", "pin", "pivot", "rotary", "rotational", "bearing"],
+        &["revolute", "hinge", "pin", "pivot", "rotary", "rotational", "bearing", "connect", "attach"],
         Home::Joint(&["revolute(P, Q)"]),
         Home::Joint(&["revolute(P, a, Q, b)"]),
     ),

@@ -1,7 +1,7 @@
 //! Too many arguments, or too few.
 
 crate::refusals! {
-    item norm_of_two_numbers: "output b = «norm»(crank.x, crank.y);" => "`norm` takes 1 argument, found 2\nhelp: a vector has parentheses of its own, as in `norm((…))`";
+    item norm_of_two_numbers: "output b = «norm»(crank.x, crank.y);" => "`norm` takes 1 argument, found 2\nhelp: a vector has parentheses of its own, as in `norm((…))`; the distance of two points is `norm(Q - P)`";
     item ratio_of_a_gear_pair: "joint a = gear_pair(crank, ram, «ratio»: 2);" => "`gear_pair` has no parameter `ratio`\nhelp: write two numbers of teeth, or two radii: `a: 20, b: 40`\nnote: `gear_pair(i: Body, j: Body, a: Quantity, b: Quantity, c: Quantity = …, carrier: Body = …)`";
     mechanism the_point_that_no_joint_has: "mechanism M { ground { point C = (400mm, 0mm); } body crank { point O = (0mm, 0mm); point A = (100mm, 0mm); } body coupler { point A = (0mm, 0mm); point B = (350mm, 0mm); } body rocker { point B = (300mm, 0mm); start angle = 70deg; } joint o = revolute(ground.position, crank.O); joint a = revolute(crank.A, coupler.A); joint b = revolute(«coupler», rocker.B); joint c = revolute(rocker.position, ground.C); drive d = drive_angle(crank, 60rpm * t); }" => "`P` of `revolute` takes a point, found a body\nhelp: write `coupler.B`, or `coupler.position` for its origin";
     mechanism the_point_that_a_later_joint_has: "mechanism M { ground { point C = (400mm, 0mm); } body crank { point O = (0mm, 0mm); point A = (100mm, 0mm); } body coupler { point A = (0mm, 0mm); point B = (350mm, 0mm); } body rocker { point B = (300mm, 0mm); start angle = 70deg; } joint o = revolute(ground.position, «crank»); joint a = revolute(crank.O, coupler.A); joint b = revolute(coupler.B, rocker.B); joint c = revolute(rocker.position, ground.C); drive d = drive_angle(crank, 60rpm * t); }" => "`Q` of `revolute` takes a point, found a body\nhelp: write `crank.A`, or `crank.position` for its origin";
@@ -34,5 +34,7 @@ crate::refusals! {
     item drive_against_ground: "drive d = «drive_relative_angle»(crank, 1rad);" => "`drive_relative_angle` takes 3 arguments, found 2: `j` is missing\nhelp: write `drive_relative_angle(ground, crank, 1rad)`\nnote: `drive_relative_angle(i: Body, j: Body, C: Angle)`";
     item table_before_its_argument: "output b = «table»([(0, 1), (1, 2)], t);" => "`table` takes its argument first\nhelp: write `table(t, […])`";
     item spline_before_its_argument: "output b = «spline»([(0, 1), (1, 2)], t);" => "`spline` takes its argument first\nhelp: write `spline(t, […])`";
+    item norm_of_two_points: "output b = «norm»(crank.A, ram.B);" => "`norm` takes 1 argument, found 2\nhelp: a vector has parentheses of its own, as in `norm((…))`; the distance of two points is `norm(Q - P)`";
+    item point_as_in_rust: "joint a = revolute(«crank::A», ram.B);" => "`P` of `revolute` takes a point, found a function\nhelp: write `crank.A`";
     item wrap_with_a_period: "output b = «wrap»(crank.angle, 360deg);" => "`wrap` takes 1 argument, found 2";
 }

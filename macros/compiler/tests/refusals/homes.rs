@@ -97,6 +97,8 @@ crate::refusals! {
     mechanism in_line_of_adams: "mechanism M { ground { axis u = (1, 0); } body a { } joint h = «InlineJoint»(ground.position, a.position); }" => "no constraint is called `InlineJoint`\nhelp: did you mean `point_on_line`?";
     mechanism joint_that_holds_nothing: "mechanism M { ground { axis u = (1, 0); } body a { } joint h = «floating»(ground, a); }" => "no constraint is called `floating`\nhelp: take it away: a body that no joint holds moves freely";
     mechanism item_that_holds_nothing: "mechanism M { ground { axis u = (1, 0); } body a { } «free_joint» h = 1; }" => "`free_joint` is no item of a mechanism\nhelp: take it away: a body that no joint holds moves freely";
+    mechanism connection: "mechanism M { ground { axis u = (1, 0); } body a { } «connect»(ground.position, a.position); }" => "`connect` is no item of a mechanism\nhelp: write `joint name = revolute(P, Q);`";
+    mechanism rotation_about_x: "mechanism M in space { ground { axis z = (0, 0, 1); } body a { axis z = (0, 0, 1); start orientation = «rot_x»(30deg); } joint h = revolute(ground.position, ground.z, a.position, a.z); drive d = drive_rotation(h, 1rad_s * t); }" => "no function is called `rot_x`\nhelp: an orientation is a turn about an axis, such as `turn((0, 0, 1), 30deg)`, or a product of turns";
     mechanism worm_and_wheel: "mechanism M { ground { axis u = (1, 0); } body a { } joint h = «worm_gear»(ground.position, a.position); }" => "no constraint is called `worm_gear`\nhelp: did you mean `gear_pair`?";
     mechanism contact_as_a_joint: "mechanism M { ground { axis u = (1, 0); } body a { } joint h = «contact»(ground.position, a.position); }" => "no constraint is called `contact`\nhelp: write `force name = stop_along(P, u, Q, limit, force, depth);`";
 }

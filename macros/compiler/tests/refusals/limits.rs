@@ -76,7 +76,10 @@ fn many_unknown_names_are_each_refused() {
     for [one, words] in [
         ["let a# = zebra#;", "nothing is called `zebra#` here"],
         ["let a# = crank.zebra#;", "`crank` has no `zebra#`\nnote: it has `position`, `angle`, `x`, `y` and `angular_velocity`"],
-        ["let a# = zebra#(1);", "no function is called `zebra#`\nhelp: declare it, such as `function zebra#(x: Angle) -> Length = …;`"],
+        [
+            "let a# = zebra#(1);",
+            "no function is called `zebra#`\nhelp: declare it, such as `function zebra#(x: Angle) -> Length = …;`; a function of Rust is declared by its path, `function zebra#(Angle) -> Length = crate::zebra#;`",
+        ],
         [
             "joint j# = zebra#(crank);",
             "no constraint is called `zebra#`\nnote: there are `revolute`, `translational`, `weld`, `distance`, `point_on_line`, `revolute_translational`, `relative_angle`, `parallel`, `absolute_x`, `absolute_y`, `absolute_angle`, `absolute_distance` and 15 more\nhelp: bring in your own with `use path::to::zebra#;`",

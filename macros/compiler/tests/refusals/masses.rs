@@ -2,6 +2,7 @@
 
 crate::refusals! {
     mechanism three_moments_in_the_plane: "mechanism M { body b { mass = 1kg; inertia = «(1kgm2, 2kgm2, 3kgm2)»; } joint o = revolute(ground.position, b.position); freedom q = b.angle; }" => "in the plane an inertia is one number, about the axis out of the plane\nhelp: write `inertia = 3kgm2;`";
+    mechanism a_moment_and_zeros_in_the_plane: "mechanism M { body b { mass = 1kg; inertia = «(0.001kgm2, 0, 0)»; } joint o = revolute(ground.position, b.position); freedom q = b.angle; }" => "in the plane an inertia is one number, about the axis out of the plane\nhelp: write `inertia = 0.001kgm2;`";
     mechanism two_moments_in_the_plane: "mechanism M { body b { mass = 1kg; inertia = «(1kgm2, 2kgm2)»; } joint o = revolute(ground.position, b.position); freedom q = b.angle; }" => "in the plane an inertia is one number, about the axis out of the plane\nhelp: write `inertia = 0.1kgm2;`, or a shape such as `disk(30mm)`";
     mechanism inertia_along_something_in_the_plane: "mechanism M { body b { mass = 1kg; inertia = 1kgm2 along «30deg»; } joint o = revolute(ground.position, b.position); freedom q = b.angle; }" => "in the plane an inertia is one number, however the body is turned\nhelp: write `inertia = 1kgm2;`";
     mechanism inertia_along_an_axis: "mechanism M in space { body b { axis z = (0, 0, 1); mass = 1kg; inertia = (1kgm2, 1kgm2, 1kgm2) along «b.z»; } joint o = spherical(ground.position, b.position); freedom q = b.angular_velocity; }" => "expected an orientation, such as `turn((0, 0, 1), 30deg)`, found an axis";

@@ -72,13 +72,13 @@ crate::refusals! {
     item polar_coordinates: "output b = «polar»(length, crank.angle);" => "no function is called `polar`\nhelp: write `(r * cos(angle), r * sin(angle))`";
     item motion_of_a_robot: "output b = «minimum_jerk»(t / 1s);" => "no function is called `minimum_jerk`\nhelp: write a law that leads from 0 to 1, such as `height * polynomial_345(t / 2s)`";
     item decanewtons: "param a: Force = «3daN»;" => "no unit is called `daN`\nhelp: `1daN` is `10N`";
-    item hertz_in_small_letters: "param a: AngularVelocity = «3hz»;" => "no unit is called `hz`\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`";
+    item hertz_in_small_letters: "param a: AngularVelocity = «3hz»;" => "no unit is called `hz`\nhelp: a speed of rotation is in `rpm` or `rad_s`, 1 turn a second is `60rpm`; a frequency is a number by a time, `2 / 1s`";
     item remainder_as_a_function: "output b = «fmod»(length, 2);" => "no function is called `fmod`: it jumps, where no derivative exists\nhelp: write `wrap(x)` for an angle within half a turn, or a law that repeats, such as `segments(…, periodic)`";
     item interpolation_that_resembles_another_function: "output b = «lerp»(length, length);" => "no function is called `lerp`\nhelp: write `a + (b - a) * u`";
     item limits_as_a_method: "output b = length.«clamp»(1m, 2m);" => "there are no methods here\nhelp: write `min(max(x, low), high)`";
     item decimal_logarithm: "output b = «log10»(length / 1m);" => "no function is called `log10`\nhelp: write `ln(x) / ln(10)`";
     item power_as_a_function: "output b = «powi»(length, 2);" => "no function is called `powi`\nhelp: a power is written `a^b`";
-    item hertz_is_ambiguous: "param a: AngularVelocity = «2Hz»;" => "no unit is called `Hz`\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`";
+    item hertz_is_ambiguous: "param a: AngularVelocity = «2Hz»;" => "no unit is called `Hz`\nhelp: a speed of rotation is in `rpm` or `rad_s`, 1 turn a second is `60rpm`; a frequency is a number by a time, `2 / 1s`";
     item dimension_is_mistyped: "param a: «Lenght» = 100mm;" => "no dimension is called `Lenght`\nhelp: did you mean `Length`?";
     item dimension_is_unknown: "param a: «Voltage» = 100;" => "no dimension is called `Voltage`\nnote: there are `Number`, `Length`, `Angle`, `Time`, `Mass`, `Area`, `Velocity`, `Acceleration`, `AngularVelocity`, `AngularAcceleration`, `Frequency`, `Force`, `Torque`, `Inertia`, `Stiffness`, `Damping`, `Pressure` and `Power`";
     item start_is_unknown: "body b { start «speed» = 1; }" => "a body does not start with `speed`: a velocity at the start is that of a freedom\nhelp: write `freedom name = body.angle from 0deg at 5rad_s;`";

@@ -171,6 +171,16 @@ crate::refusals! {
     item loop_as_in_python: "for i in «range»(3) { body b[i] {} }" => "a loop counts whole numbers\nhelp: write `for i in 0..3`";
     item loop_as_in_python_from_one: "for i in «range»(1, 3) { body b[i] {} }" => "a loop counts whole numbers\nhelp: write `for i in 1..3`";
     item input_as_a_drive: "input m «=» drive_angle(crank, 1rad);" => "an input is a quantity, which a drive may follow\nhelp: write `input m: Angle; drive d = drive_angle(…, m);`";
+    item unit_behind_a_vector: "body b { point P = «(200, 3 * 2)mm»; }" => "each number has a unit of its own\nhelp: write `(200mm, (3 * 2) * 1mm)`";
+    item kind_before_the_name: "joint «revolute» main(ground.O, crank.O);" => "the name comes first, and the kind behind `=`\nhelp: write `joint main = revolute(…);`";
+    item name_in_quotation_marks: "joint a = revolute(«\"crank.A\"», ram.B);" => "names have no quotation marks\nhelp: write `crank.A`";
+    item words_in_quotation_marks: "joint a = revolute(«\"the crank\"», ram.B);" => "expected a number, found a string\nhelp: a quantity is a number with its unit right behind it, such as `120mm`";
+    item name_of_self: "let b = 2 * «self.length»;" => "names stand by themselves\nhelp: write `length`";
+    item law_as_in_matlab: "drive d = drive_angle(crank, «@»(t) speed * t);" => "a law is an expression of `t`, not a closure\nhelp: write `speed * t`";
+    item bounds_by_words: "param r: Length = 50mm «min» 10mm max 60mm;" => "bounds stand behind `in`\nhelp: write `50mm in 10mm..=60mm`";
+    item bound_by_a_word: "param r: Length = 50mm «min» = 10mm;" => "bounds stand behind `in`\nhelp: write `50mm in 10mm..`";
+    item name_right_behind_a_number: "output b = «2length»;" => "an operator is missing between a number and a name\nhelp: write `2 * length`";
+    item rate_behind_a_comma: "freedom f = ram.x from 3mm«,» 2mm_s;" => "the rate at t = 0 stands behind `at`\nhelp: write `ram.x from 3mm at 2mm_s`";
     item start_of_a_body_in_braces: "body b { start «{» angle = 10deg; } }" => "expected `x`, `y`, `angle` or `position`, found `{`\nhelp: say of which coordinate, as in `start x = 200mm;` or `start position = (200mm, 0mm);`";
 }
 

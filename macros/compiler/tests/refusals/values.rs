@@ -201,6 +201,8 @@ fn rods_without_a_centre_are_doubted_where_a_point_lies_at_their_length() {
     assert_eq!(doubts("", "point O = (0m, 0m); point B = (long, 0mm); inertia = rod(long);"), said("B", "(long / 2, 0m)", "(0m, 0m)"));
     let in_space = "point A = (300mm, 0mm, 0mm); inertia = rod(300mm);";
     assert_eq!(doubts("in space", in_space), said("A", "(300mm / 2, 0m, 0m)", "(0m, 0m, 0m)"));
+    assert_eq!(doubts("", "point A = (0mm, -300mm); inertia = rod(300mm);"), said("A", "(0m, -300mm / 2)", "(0m, 0m)"));
+    assert_eq!(doubts("", "point A = (-long, 0mm); inertia = rod(long);"), said("A", "(-long / 2, 0m)", "(0m, 0m)"));
     for sure in [
         "point A = (300mm, 0mm); center = (0mm, 0mm); inertia = rod(300mm);",
         "point A = (300mm, 0mm); center = (150mm, 0mm); inertia = rod(300mm);",
@@ -284,6 +286,29 @@ fn expressions_that_are_often_meant_otherwise_are_doubted() {
     let in_a_part = "gravity = (0, -9.81m_s2); component Weight(P: Point) { body w { mass = 1kg; } joint o = revolute(P, w.position); \
                      drive d = drive_angle(w, 1rad_s * t); } part w = Weight((1m, 0m));";
     assert_eq!(plane(in_a_part), Vec::<String>::new());
+    let speed = "`1 / 0.5s` is a number of radians a second\nhelp: write `120rpm` for as many turns, or `rad_s` if radians are meant";
+    assert_eq!(plane("param w: AngularVelocity = 1/0.5s;"), [speed]);
+    for sure in ["param w: AngularVelocity = 2rad / 1s;", "param f: Frequency = 1/0.5s;", "param w: AngularVelocity = 2rad_s;"] {
+        assert_eq!(plane(sure), Vec::<String>::new(), "{sure}");
+    }
+    let periods = |written: &str, instead: &str| vec![format!("`{written}` is taken in radians\nhelp: write `{instead}`")];
+    assert_eq!(plane("param T: Time = 1s; drive d = drive_angle(b, t / T);"), periods("t / T", "1turn * t / T"));
+    assert_eq!(plane("param T: Time = 1s; drive d = drive_angle(b, 360 * t / T);"), periods("360 * t / T", "360deg * t / T"));
+    for sure in ["1turn * t / T", "360deg * t / T", "2 * pi * t / T", "3rad * t / T"] {
+        assert_eq!(plane(&format!("param T: Time = 1s; drive d = drive_angle(b, {sure});")), Vec::<String>::new(), "{sure}");
+    }
+    let spring = |force: &str| plane(&format!("body c {{ point P = (1m, 0m); mass = 1kg; }} force k = {force};"));
+    let meant = "help: take the minus away, or name the number with `let` if it is meant";
+    let pushes = format!("`-200N_m` pushes away from the length at rest\n{meant}");
+    assert_eq!(spring("spring((5m, 0m), c.P, -200N_m, rest: 1m)"), [pushes.as_str()]);
+    assert_eq!(spring("torsion_spring(ground, c, stiffness: -5Nm_rad, rest: 0deg)"), [pushes.replace("200N_m", "5Nm_rad")]);
+    let damping = format!("`-3Ns_m` drives the motion instead of damping it\n{meant}");
+    assert_eq!(spring("damper((5m, 0m), c.P, -3Ns_m)"), [damping.as_str()]);
+    assert_eq!(spring("torsion_damper(ground, c, -3Nms_rad)"), [damping.replace("3Ns_m", "3Nms_rad")]);
+    for sure in ["spring((5m, 0m), c.P, 200N_m, rest: -1m)", "actuator((5m, 0m), c.P, -200N)", "torsion_spring(ground, c, 5Nm_rad, -3deg)"]
+    {
+        assert_eq!(spring(sure), Vec::<String>::new(), "{sure}");
+    }
     let jumps = "a change of `w` acts over all the time before it: `w * t` jumps\nhelp: a commanded speed is a `param` of a mechanism that is \
                  `#[integrated]`: see the page on control loops";
     assert_eq!(plane("input w: AngularVelocity; drive d = drive_angle(b, w * t);"), [jumps]);
@@ -309,7 +334,64 @@ fn expressions_that_are_often_meant_otherwise_are_doubted() {
     };
     let across = "a rod lies along x, but `P` of `c` lies across it\nhelp: write `inertia = rod(300mm) along turn((0, 0, 1), 90deg);`";
     assert_eq!(rod("(0mm, 300mm, 0mm)"), [across]);
+    assert_eq!(rod("(0mm, 0mm, -300mm)"), [across.replace("(0, 0, 1), 90deg", "(0, 1, 0), 90deg")]);
     assert_eq!(rod("(300mm, 0mm, 0mm)"), Vec::<String>::new());
+}
+
+/// The axis of a disk is z, that of a wheel often another one.
+#[test]
+fn disks_across_the_only_axis_are_doubted() {
+    let doubts = |body: &str| {
+        let source = format!("#[equations_only] mechanism M in space {{ body b {{ mass = 1kg; {body} }} output place = b.position; }}");
+        let compiled = reuleaux_compiler::compile(source.parse().expect("tokens")).expect("a body with its mass");
+        compiled.model.doubts.iter().map(|warning| warning.doubt.to_string()).collect::<Vec<String>>()
+    };
+    let across = |shape: &str, turn: &str| {
+        vec![format!("the axis of `{shape}` lies along z, but `n` of `b` lies across it\nhelp: write `inertia = {shape} along {turn};`")]
+    };
+    assert_eq!(doubts("axis n = (1, 0, 0); inertia = disk(200mm);"), across("disk(200mm)", "turn((0, 1, 0), 90deg)"));
+    assert_eq!(doubts("axis n = (0, -1, 0); inertia = cylinder(20mm, 1m);"), across("cylinder(20mm, 1m)", "turn((1, 0, 0), 90deg)"));
+    for sure in [
+        "axis n = (0, 0, 1); inertia = disk(200mm);",
+        "axis n = (1, 0, 0); axis m = (0, 0, 1); inertia = disk(200mm);",
+        "axis n = (1, 0, 1); inertia = disk(200mm);",
+        "axis n = (1, 0, 0); inertia = disk(200mm) along turn((0, 1, 0), 90deg);",
+        "axis n = (1, 0, 0); inertia = ball(200mm);",
+    ] {
+        assert_eq!(doubts(sure), Vec::<String>::new(), "{sure}");
+    }
+}
+
+/// The arms of a cross are at right angles; shafts are in line.
+#[test]
+fn shafts_for_the_arms_of_a_universal_joint_are_doubted() {
+    let shafts = "`hooke` is given two axes in line, as shafts are; those of a universal joint are the arms of its cross, at right angles\n\
+                  help: declare them across the shafts, such as `axis arm = (0, 0, 1);` in one body and `axis arm = (0, 1, 0);` in the other";
+    let source = |one: &str, two: &str, start: &str| {
+        format!(
+            "mechanism M in space {{
+                param bend: Angle = 20deg;
+                ground {{ axis x = (1, 0, 0); axis out = (cos(bend), sin(bend), 0); }}
+                body one {{ axis x = (1, 0, 0); axis arm = (0, 0, 1); }}
+                body two {{ axis x = (1, 0, 0); axis arm = (0, 1, 0); axis up = (0, 0, 1); start orientation = {start}; }}
+                joint bearing = revolute(ground.position, ground.x, one.position, one.x);
+                joint hooke = universal(one.position, one.{one}, two.position, two.{two});
+                joint seat = parallel_axes(ground.out, two.x);
+                drive motor = drive_rotation(bearing, 60rpm * t);
+            }}"
+        )
+    };
+    let compile = |one: &str, two: &str, start: &str| reuleaux_compiler::compile(source(one, two, start).parse().expect("tokens"));
+    let refused = compile("x", "x", "turn((0, 0, 1), 20deg)").expect_err("shafts that are to be at right angles");
+    let words: Vec<String> = refused.iter().map(|refusal| refusal.fact.message()).collect();
+    assert!(words.iter().all(|words| words.contains(shafts)), "{words:?}");
+    let doubts = |one: &str, two: &str, start: &str| {
+        let compiled = compile(one, two, start).expect("a shaft with a bend");
+        compiled.model.doubts.iter().map(|warning| warning.doubt.to_string()).collect::<Vec<String>>()
+    };
+    assert_eq!(doubts("arm", "arm", "turn((0, 0, 1), 20deg)"), Vec::<String>::new());
+    assert_eq!(doubts("arm", "up", "turn((0, 0, 1), 20deg) * turn((1, 0, 0), 90deg)"), Vec::<String>::new());
+    assert_eq!(doubts("arm", "up", "turn((0, 0, 1), 20deg) * turn((1, 0, 0), 20deg)"), [shafts]);
 }
 
 /// More than a turn of radians is rather one of degrees.

@@ -51,7 +51,7 @@ pub enum MotionFact {
     StartForRate { start: String },
     RateBeforeStart { value: String, from: String, at: String },
     JointWithoutValue { definition: String, wanted: JointValue, kind: String, instead: Option<String> },
-    FreedomOfNothing { name: String, value: String },
+    FreedomOfNothing { name: String, value: String, coordinate: String },
     FreedomOfOrientation { name: String, body: String },
     FreedomOfJoint { name: String, joint: String, offers: Vec<String> },
     FreedomIsHeld { freedom: String, of: usize, by: Vec<String>, free: Vec<String> },

@@ -65,6 +65,12 @@ impl Display for ArityFact {
                 match (wanted, name.as_str()) {
                     (2, "atan2") => write!(f, "\nnote: `atan2(y, x)`"),
                     (3, "rise" | "fall") => write!(f, "\nnote: `{name}(height, duration, law)`, with a law such as `cycloidal`"),
+                    (1, "norm") if *found == 2 => {
+                        write!(
+                            f,
+                            "\nhelp: a vector has parentheses of its own, as in `norm((…))`; the distance of two points is `norm(Q - P)`"
+                        )
+                    }
                     (1, "norm" | "unit" | "perp" | "direction") => {
                         write!(f, "\nhelp: a vector has parentheses of its own, as in `{name}((…))`")
                     }

@@ -185,9 +185,9 @@ impl Display for MotionFact {
                     (None, JointValue::Displacement) => write!(f, "\nhelp: take a {kinds} joint, or `along(a, Q - P)` for the joint"),
                 }
             }
-            MotionFact::FreedomOfNothing { name, value } => {
+            MotionFact::FreedomOfNothing { name, value, coordinate } => {
                 write!(f, "a freedom names a coordinate or a velocity, and `{value}` is a value")?;
-                write!(f, "\nhelp: write `freedom {name} = joint.angle from {value};` with the name of the coordinate")
+                write!(f, "\nhelp: write `freedom {name} = {coordinate} from {value};` with the name of the coordinate")
             }
             MotionFact::FreedomOfOrientation { name, body } => {
                 write!(f, "a freedom is a number or a vector, found an orientation")?;

@@ -132,7 +132,10 @@ impl Display for NameFact {
                 write!(f, "no function is called `{name}`")?;
                 match foreign(name) {
                     Some((reason, instead)) => write!(f, "{reason}\nhelp: {instead}"),
-                    None => write!(f, "\nhelp: declare it, such as `function {name}(x: Angle) -> Length = …;`"),
+                    None => {
+                        write!(f, "\nhelp: declare it, such as `function {name}(x: Angle) -> Length = …;`")?;
+                        write!(f, "; a function of Rust is declared by its path, `function {name}(Angle) -> Length = crate::{name};`")
+                    }
                 }
             }
             NameFact::UnknownFunction { name, near, .. } => write!(f, "no function is called `{name}`{}", did_you_mean(near)),
@@ -169,7 +172,10 @@ impl Display for NameFact {
                 }
             }
             NameFact::UnknownUnit { name, .. } if name.eq_ignore_ascii_case("Hz") => {
-                write!(f, "no unit is called `{name}`\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`")
+                write!(
+                    f,
+                    "no unit is called `{name}`\nhelp: a speed of rotation is in `rpm` or `rad_s`, 1 turn a second is `60rpm`; a frequency is a number by a time, `2 / 1s`"
+                )
             }
             NameFact::UnknownUnit { number, name, .. } if name == "pi" => {
                 write!(f, "no unit is called `pi`\nhelp: write `{number} * pi`")

@@ -137,6 +137,7 @@ impl Display for SystemFact {
                 let nothing = if coordinates.len() == 1 { "it is in no equation" } else { "they are in no equation" };
                 write!(f, "nothing determines {}: {nothing}", list(coordinates))?;
                 match has_place {
+                    true if example.is_empty() => write!(f, "\nhelp: join `{body}` to another body once more, or drive it"),
                     true => write!(f, "\nhelp: join `{body}` to another body once more, or drive it, such as `{example}`"),
                     false => write!(f, "\nhelp: join `{body}` to ground or to another body, such as `{example}`"),
                 }?;

@@ -95,6 +95,13 @@ impl Display for ValueFact {
             ValueFact::BareGains { action, one, two, numbers: [first, second] } => {
                 let units = if *one == Dim::ANGLE { ["Nm", "Nms"] } else { ["N_m", "Ns_m"] };
                 write!(f, "{}", ValueFact::Unlike { action, one: *one, two: *two }.to_string().lines().next().unwrap_or_default())?;
+                if ![first, second].iter().all(|number| number.starts_with(|letter: char| letter.is_ascii_digit())) {
+                    let of = if *one == Dim::ANGLE { "Torque" } else { "Force / Length" };
+                    return write!(
+                        f,
+                        "\nhelp: gains have dimensions: declare `{first}` as `{of}` and `{second}` as `{of} * Time`, for instance"
+                    );
+                }
                 let [one, two] = units;
                 write!(f, "\nhelp: give the factors units that make both terms alike, such as `{first}{one}` and `{second}{two}`")
             }

@@ -76,14 +76,16 @@ impl Forest<'_> {
     }
 
     pub(super) fn reach_by_two_angles(&mut self, joint: usize, one: Place, two: Place) {
-        let (inner, outer) = if self.depth(one.body).is_some() { (one, two) } else { (two, one) };
+        let is_in_order = self.depth(one.body).is_some();
+        let (inner, outer) = if is_in_order { (one, two) } else { (two, one) };
+        let words = if is_in_order { ["angle_a", "angle_b"] } else { ["angle_b", "angle_a"] };
         let Some(body) = outer.body else { return };
         let (inner, outer) = (self.triad_along(inner), self.triad_along(outer));
         let axes = self.in_ground(inner);
         let is_told = self.says_angle(inner, body);
         let [first, second] = if is_told { self.start_cross(inner, outer) } else { [None, None] };
-        let (alpha, one) = self.unknown(body, Role::Angle, first, Some((joint, "angle_1")));
-        let (beta, two) = self.unknown(body, Role::Angle, second, Some((joint, "angle_2")));
+        let (alpha, one) = self.unknown(body, Role::Angle, first, Some((joint, words[0])));
+        let (beta, two) = self.unknown(body, Role::Angle, second, Some((joint, words[1])));
         let [x, y, z] = self.about(one, axes);
         // After a quarter turn about x the second axis lies across the first.
         let across = [x, z, y.map(|part| self.arena.neg(part))];
