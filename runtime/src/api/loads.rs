@@ -136,8 +136,15 @@ pub struct DriveLoad<T> {
     pub is_unique: bool,
 }
 
-/// A column counts as dependent on others if eliminating them leaves less than this fraction of the largest entry.
-const DEPENDENT: f64 = 1e-11;
+/// A column counts as dependent on others if eliminating them leaves less than this fraction of the largest entry: at a change point positions are
+/// known to √ε.
+const DEPENDENT: f64 = 4e-8;
+
+/// The same fraction in ε, where it is larger.
+const ROUNDED: f64 = 16.0;
+
+/// An entry of a vector of the null space counts as zero up to this size.
+const NOTHING: f64 = 1e-11;
 
 /// Forces count as balanced if what is left of them is at most this multiple of √ε of the largest one that is coupled with them.
 const BALANCED: f64 = 64.0;
@@ -280,7 +287,7 @@ fn eliminate<T: Scalar, const M: usize, const U: usize>(
         }
         let (size, row, column) = best;
         largest = if size > largest { size } else { largest };
-        if size <= T::of(DEPENDENT) * largest {
+        if size <= T::of(DEPENDENT).max(T::of(ROUNDED) * T::EPSILON) * largest {
             return (pivots, rank);
         }
         let place = pivots.iter().position(|pivot| *pivot == column).unwrap_or(rank);
@@ -335,7 +342,7 @@ fn least_norm<T: Scalar, const M: usize, const U: usize>(
             vector[pivots[k]] = -rows[k][free];
         }
         for (k, unique) in is_unique.iter_mut().enumerate() {
-            *unique &= vector[k].abs() <= T::of(DEPENDENT);
+            *unique &= vector[k].abs() <= T::of(NOTHING);
         }
         for _ in 0..2 {
             for other in 0..count {

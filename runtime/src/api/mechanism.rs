@@ -211,12 +211,12 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     /// `mechanism.with_inputs_of(&state).derivatives(…)`, and set `varied.inputs` before the next
     /// [`update_derivatives`](Self::update_derivatives). Other inputs are refused ([`Cause::OtherInputs`](crate::Cause::OtherInputs)).
     ///
-    /// Near a dead point or a change point a derivative loses more digits than its quantity, by those of the condition of the Jacobian at
-    /// this place. A state at a change point, or next to one where joints are redundant, was extrapolated from states on both sides, and its
-    /// [`condition`](crate::Values::condition) is that of these: its derivatives by parameters may be lost there.
+    /// Near a dead point or a change point a derivative loses more digits than its quantity, by those of the condition κ of the Jacobian at
+    /// this place: those of q are known to κ² ε, of q̇ to κ³ ε, of q̈ to κ⁴ ε.
     ///
     /// # Errors
-    /// If the state does not belong to this mechanism, or Φ_q is singular there.
+    /// If the state does not belong to this mechanism, or Φ_q is singular there, or so nearly that no digits are left: κ is ε^(−1/4) or more, 8192 (54 in single
+    /// precision).
     #[allow(clippy::type_complexity, reason = "a mechanism and its state, over numbers with derivatives")]
     #[inline]
     fn derivatives<const P: usize>(

@@ -12,6 +12,7 @@ use super::equations::{Constraints, Dynamics};
 use super::partition::{Partition, Pivots, weakest};
 use super::places::{largest_change, moved, picked, put};
 use super::project::{Open, Reached, gap, levels, project_onto, refresh};
+use super::rank::is_sharp_at;
 use super::stopped::Stopped;
 use crate::linear;
 use crate::number::Scalar;
@@ -61,6 +62,7 @@ where
     })?;
     holds::<T, S, N, I, M, R>(mechanism, &q, T::ZERO)?;
     let mut state = State::new(T::ZERO, q, qd, zero);
+    is_sharp_at(mechanism, &state.q, T::ZERO)?;
     refresh(mechanism, &mut state)?;
     Ok(state)
 }

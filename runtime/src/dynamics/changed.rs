@@ -9,6 +9,7 @@ use super::equations::{Constraints, Dynamics};
 use super::partition::Partition;
 use super::places::{are_finite, largest, picked, put};
 use super::project::{Open, Reached, gap, levels, project, refresh};
+use super::rank::is_sharp_at;
 use super::stopped::Stopped;
 use crate::linear;
 use crate::number::Scalar;
@@ -80,6 +81,7 @@ where
         put(&mut qd, &S::INTEGRATED, &parts.unknowns(&parts.independent_of(&before)));
     }
     holds::<T, S, N, I, M, R>(mechanism, &q, t)?;
+    is_sharp_at(mechanism, &q, t)?;
     let [q, qd, _] = mechanism.complete(&q, &qd, &state.qdd, t);
     if !(are_finite(q.as_slice()) && are_finite(qd.as_slice())) {
         return Err(Stopped::NotFinite { time: t });

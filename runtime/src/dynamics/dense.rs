@@ -12,7 +12,7 @@ use super::equations::Dynamics;
 use super::partition::Pivots;
 use super::places::{picked, put};
 use super::project::{Reached, project, refresh};
-use super::rank::too_short;
+use super::rank::{is_sharp, too_short};
 use super::step::is_near;
 use super::stopped::Stopped;
 use super::tableau::Rates;
@@ -128,6 +128,7 @@ impl<T: Scalar, const N: usize, const I: usize> Dense<T, N, I> {
         if !is_near(mechanism, before.each_ref(), [&q, &qd], (T::of(COARSER) * tolerance, fastest)) {
             return Err(too_short(mechanism, &state));
         }
+        is_sharp(mechanism, t, &reached)?;
         refresh(mechanism, &mut state)?;
         Ok(state)
     }

@@ -5,6 +5,7 @@ use super::looks::{LOOKS, Looks, changes};
 use super::method::Method;
 use super::project::Reached;
 use super::quintic::between;
+use super::rank::is_sharp_at;
 use super::step::land;
 use super::stopped::Stopped;
 use crate::number::Scalar;
@@ -85,7 +86,9 @@ where
             is_first = changes(before.1, after.1);
         }
         if changes(before.1, after.1) {
-            return locate::<K, T, S, N, I, M, R>(mechanism, from, (before, after), (whole, &exactly), event, tolerance).map(Some);
+            let found = locate::<K, T, S, N, I, M, R>(mechanism, from, (before, after), (whole, &exactly), event, tolerance)?;
+            is_sharp_at(mechanism, &found.q, found.t)?;
+            return Ok(Some(found));
         }
         low = *high;
     }

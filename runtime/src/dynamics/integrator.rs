@@ -11,7 +11,7 @@ use super::jump::no_speed_jumps;
 use super::method::Method;
 use super::places::{largest, picked};
 use super::project::Reached;
-use super::rank::{keeps_rank, too_short};
+use super::rank::{is_sharp, keeps_rank, too_short};
 use super::step::{INSTANT, error, is_instant, land};
 use super::stiff::Stiff;
 use super::stopped::Stopped;
@@ -123,7 +123,11 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
             if state.t == t {
                 return Ok(true);
             }
-            *state = self.next(mechanism, state, &mut reached, t)?.0;
+            let next = self.next(mechanism, state, &mut reached, t)?.0;
+            if let Some(reached) = reached.as_ref().filter(|_| next.t == t) {
+                is_sharp(mechanism, t, reached)?;
+            }
+            *state = next;
             if !goes_on(state) {
                 return Ok(state.t == t);
             }
@@ -205,6 +209,9 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
                     *state = found;
                     return Ok(true);
                 }
+            }
+            if let Some(reached) = reached.as_ref().filter(|_| next.t == t) {
+                is_sharp(mechanism, t, reached)?;
             }
             *state = next;
         }

@@ -54,6 +54,8 @@ pub(super) struct Pivots<T, const M: usize, const I: usize> {
     unknowns: [usize; I],
     /// Size of each pivot when it was chosen.
     sizes: [T; M],
+    /// The smallest pivot relative to its row when it was chosen.
+    pub(super) weakest: T,
     /// For each pivot of the last elimination, whether it is above zero.
     signs: [bool; M],
     /// Number of pivots.
@@ -67,7 +69,7 @@ impl<T, const M: usize, const I: usize> Pivots<T, M, I> {
     where
         T: Scalar,
     {
-        Self { rows: [0; M], unknowns: [0; I], sizes: [T::ZERO; M], signs: [true; M], count: 0 }
+        Self { rows: [0; M], unknowns: [0; I], sizes: [T::ZERO; M], weakest: T::of(1.0), signs: [true; M], count: 0 }
     }
 
     /// Those of the rows that have a pivot.
@@ -280,6 +282,7 @@ impl<T: Scalar, const M: usize, const I: usize> Partition<T, M, I> {
             if !is_independent {
                 return Err(self.pivots.rows.get(row).copied().unwrap_or(0));
             }
+            self.pivots.weakest = smaller(self.pivots.weakest, entry / size);
             exchange(&mut self.rows, rank, row);
             exchange(&mut self.side, rank, row);
             exchange(&mut self.pivots.rows, rank, row);

@@ -135,9 +135,16 @@ where
 /// Below this fraction of the natural size of its row, a pivot may belong to dependent equations.
 const SUSPECT: f64 = 1e-4;
 
+/// Pivots that were chosen at a configuration close by are at least so much better than those here.
+const BETTER: f64 = 4.0;
+
 /// Times √ε: if a smaller fraction of a row is independent of the others, rounding chooses the branch. Within √ε of a crossing of two branches
 /// the motion may follow either.
 const FLAT: f64 = 100.0;
+
+/// If a smaller fraction p of a row is independent of the others, accelerations have lost their digits: positions are known to ε / p, speeds to
+/// ε / p², accelerations to ε / p³.
+const BLURRED: f64 = 4.8e-5;
 
 /// Checks that no singular configuration is so near that rounding would choose the branch.
 ///
@@ -148,20 +155,72 @@ const FLAT: f64 = 100.0;
 pub(super) fn is_regular<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     t: T,
+    reached: &Reached<T, M, I>,
+) -> Result<(), Stopped<T>>
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    are_independent(mechanism, t, reached, T::of(FLAT) * T::ROOT_EPSILON)
+}
+
+/// The same, so that accelerations keep digits too: for states that are handed out.
+///
+/// # Errors
+/// A joint whose equations depend on those of others.
+pub(super) fn is_sharp<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    t: T,
+    reached: &Reached<T, M, I>,
+) -> Result<(), Stopped<T>>
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    are_independent(mechanism, t, reached, T::of(BLURRED).max(T::of(FLAT) * T::ROOT_EPSILON))
+}
+
+/// [`is_sharp`] at a place where no equations are known yet.
+///
+/// # Errors
+/// A joint whose equations depend on those of others.
+#[inline(never)]
+pub(super) fn is_sharp_at<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    q: &SVector<T, N>,
+    t: T,
+) -> Result<(), Stopped<T>>
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let (mut reached, mut parts) = (Reached::empty(), Partition::empty());
+    mechanism.constraints(q, t, &mut reached.here);
+    let rows = (&reached.here.jacobian, &reached.here.nu);
+    parts.pivot(rows, &lengths(mechanism), &[true; M], &redundant(mechanism)).map_err(|row| singular::<T, S, N, I, M, R>(t, row))?;
+    reached.pivots = parts.pivots;
+    is_sharp(mechanism, t, &reached)
+}
+
+/// Checks that of each row more than this fraction is independent of the others.
+fn are_independent<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    t: T,
     Reached { here, pivots }: &Reached<T, M, I>,
+    least: T,
 ) -> Result<(), Stopped<T>>
 where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     let (lengths, redundant) = (lengths(mechanism), redundant(mechanism));
-    if pivots.smallest(&lengths, &redundant.sizes) > T::of(SUSPECT) {
+    if pivots.smallest(&lengths, &redundant.sizes) > T::of(SUSPECT) && pivots.weakest > T::of(BETTER) * least {
         return Ok(());
     }
     // Compared at the same t: where a drive alone makes a row vanish, no branches cross, and the motion goes on until no step is short enough.
     let assembled_now = jacobian_at(mechanism, &mechanism.start(), t);
     let (row, left) = weakest(&here.jacobian, &assembled_now, &lengths, &[true; M], &redundant);
-    if left > T::of(FLAT) * T::ROOT_EPSILON { Ok(()) } else { Err(singular::<T, S, N, I, M, R>(t, row)) }
+    if left > least { Ok(()) } else { Err(singular::<T, S, N, I, M, R>(t, row)) }
 }
 
 /// Why no step is short enough at a state: its equations depend on each other there, or the motion is not smooth.

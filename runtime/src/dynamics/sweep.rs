@@ -6,6 +6,7 @@ use super::explicit::Explicit;
 use super::integrator::Integrator;
 use super::method::Method;
 use super::project::Reached;
+use super::rank::is_sharp;
 use super::stopped::Stopped;
 use crate::number::{Scalar, Time};
 use crate::state::State;
@@ -54,7 +55,10 @@ where
         let mut is_short = false;
         for _ in 0..self.integrator.most {
             if state.t == t {
-                return Ok(state.clone());
+                return match &self.reached {
+                    Some(reached) => is_sharp(self.mechanism, t, reached).map(|()| state.clone()),
+                    None => Ok(state.clone()),
+                };
             }
             if let Some(step) = self.step.as_ref().filter(|step| step.contains(t)) {
                 let tolerance = (self.integrator.tolerance, self.integrator.fastest);

@@ -14,7 +14,7 @@ mod warm;
 
 pub(crate) use guess::{refined, solve_from_guess};
 pub use iterate::Iterate;
-pub(crate) use limits::{LONGEST_PREDICTION, ONE_CORRECTION};
+pub(crate) use limits::{BLURRED, LONGEST_PREDICTION, ONE_CORRECTION};
 pub(crate) use newton_step::sizes;
 pub(crate) use position::{NewtonError, Position};
 pub use problem::Block;

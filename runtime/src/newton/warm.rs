@@ -18,7 +18,7 @@
 
 use nalgebra::SVector;
 
-use super::limits::{LARGEST_CONTRACTION, LONGEST_FIRST_CORRECTION, LONGEST_PREDICTION, WELL_CONDITIONED};
+use super::limits::{BLURRED, LARGEST_CONTRACTION, LONGEST_FIRST_CORRECTION, LONGEST_PREDICTION, WELL_CONDITIONED};
 use super::{Iterate, Linearized};
 use crate::linear::Linear;
 use crate::number::{Mask, SimdReal};
@@ -31,6 +31,9 @@ const ROUNDINGS: f64 = 2.0;
 /// rounding.
 const ILL: f64 = 256.0;
 
+/// A condition is large throughout if the place where it would be infinite is farther away than this multiple of its inverse.
+const STEADY: f64 = 100.0;
+
 /// Largest number of corrections. Each squares the error: from 0.2 the fourth is below √ε. A step that needs more is left to a cold
 /// start.
 const MOST_CORRECTIONS: usize = 4;
@@ -42,6 +45,8 @@ const SMALL: usize = 3;
 /// The previous state and the step from it.
 pub(crate) struct Predictor<'a, T: SimdReal, const N: usize> {
     here: Moment<'a, T, N>,
+    /// The condition there.
+    condition: T,
     extrapolation: &'a Extrapolation<T, N>,
     signs: &'a [T::Signs; N],
     /// The lanes that take part in the step.
@@ -78,14 +83,14 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
     /// From a state to a time `h` (s) later, in the lanes `moving`.
     #[inline(always)]
     pub(crate) fn new(
-        here: Moment<'a, T, N>,
+        (here, condition): (Moment<'a, T, N>, T),
         extrapolation: &'a Extrapolation<T, N>,
         signs: &'a [T::Signs; N],
         h: T,
         moving: T::Mask,
         iterated: usize,
     ) -> Self {
-        Self { here, extrapolation, signs, moving, weights: extrapolation.weights(h), is_small: iterated <= SMALL }
+        Self { here, condition, extrapolation, signs, moving, weights: extrapolation.weights(h), is_small: iterated <= SMALL }
     }
 
     /// The previous values of the unknowns `own`, if they were at rest and the `inputs` are at rest and unchanged.
@@ -174,6 +179,7 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
             let mut found = is_short.and(is_last).and(amplification.at_most(T::of(ILL))).and(is_alike);
             if !found.all() {
                 found = is_found(length, next, condition, amplification + norm(&there.x, data.reciprocal)).and(is_alike);
+                found = found.and(is_sharp([self.condition, condition], way));
             }
             let is_over = found.all() || found.or(follows.not()).all() || iterations >= 2 * MOST_CORRECTIONS;
             if is_over && !is_tested && !found.or(is_near.not()).all() {
@@ -207,6 +213,18 @@ fn is_found<T: SimdReal>(length: T, next: T, condition: T, effect: T) -> T::Mask
     let is_short = (length * length * (T::of(1.0 / ILL) * condition).max(T::of(1.0))).at_most(T::EPSILON);
     let is_last = next.at_most(T::of(ROUNDINGS) * T::EPSILON * effect);
     is_short.and(is_last).and((condition * T::ROOT_EPSILON).at_most(T::of(WELL_CONDITIONED)))
+}
+
+/// Whether accelerations keep digits: near a change point, which is left to a cold start, the condition is the inverse of the distance from it. Where it
+/// is large throughout, it is not.
+///
+/// * `before`, `condition`: given, before the step and after it.
+/// * `way`: given, scaled length of the step.
+#[cold]
+#[inline(never)]
+fn is_sharp<T: SimdReal>([before, condition]: [T; 2], way: T) -> T::Mask {
+    let is_steady = (T::of(STEADY) * (condition - before).abs()).at_most(condition * before * way);
+    condition.at_most(T::of(BLURRED)).or(is_steady)
 }
 
 /// The entry of an unknown, whose index is in range.

@@ -11,7 +11,7 @@ use super::branch::{is_same_branch, keeps_sides, turns_on};
 use super::cold::cold_state;
 use super::crossing;
 use crate::names::{self, Cause, CoordinateKind, Culprit};
-use crate::newton::{StepError, length_of};
+use crate::newton::{BLURRED, StepError, length_of};
 use crate::number::Float;
 use crate::number::order::greater;
 use crate::solve::{ColdSolver, Followed, Stages, largest_alone};
@@ -48,6 +48,9 @@ const MOST_AT_REST: f64 = 64.0;
 /// The shortest step, in roundings of time.
 const SHORTEST_STEP: f64 = 8.0;
 
+/// ε of numbers in which states beside change points keep digits.
+const FINE: f64 = 1e-12;
+
 /// Why a continuation ended early.
 pub(crate) enum Ended<T, const N: usize> {
     /// There is no state at this time with these parameters.
@@ -80,8 +83,10 @@ pub(crate) fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usiz
 ) -> Result<(), Ended<T, N>> {
     let mechanism = Followed::new(&equations);
     let arrival = advance(&mechanism, state, t)?;
-    // A constant, so that mechanisms without redundant equations do not have this compiled.
-    if E::IS_REDUNDANT && matches!(arrival, Arrival::Step) && state.condition > largest_alone() {
+    // In single precision accelerations have lost their digits before a change point is near.
+    let from = if E::IS_REDUNDANT { largest_alone() } else { T::of(BLURRED) };
+    let may_be_sharp = E::IS_REDUNDANT || T::EPSILON < T::of(FINE);
+    if may_be_sharp && matches!(arrival, Arrival::Step) && state.condition > from {
         crossing::refine_beside(&mechanism, state);
     }
     Ok(())

@@ -43,7 +43,7 @@ const CLOSER: f64 = 8.0;
 /// Most trials of a step towards the crossing, each half as long as the one before.
 const MOST_TRIALS: usize = 8;
 
-/// States with redundant equations: the first step, to see on which side the change point is, as a fraction of 1 / condition.
+/// States beside a change point: the first step, to see on which side the change point is, as a fraction of 1 / condition.
 const BRIEF: f64 = 0.25;
 
 /// The condition decreases to this fraction at least when its distance from a change point is doubled.
@@ -132,8 +132,8 @@ fn at<T: Float, const N: usize>(
     Some(there)
 }
 
-/// Improves a state that is next to a change point of the solved equations, of a mechanism with redundant equations: together they determine
-/// the motion there, though the solved ones alone lose it. If there is no change point, the state is unchanged.
+/// Improves a state that is next to a change point of the solved equations, where accelerations are lost first; all equations together, if some
+/// are redundant, determine the motion there. If there is no change point, the state is unchanged.
 ///
 /// ```text
 /// errors of q, q̇, q̈ from the solved equations:  κ ε, κ² ε, κ³ ε          κ the condition

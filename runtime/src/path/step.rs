@@ -70,7 +70,8 @@ pub fn step_lanes<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
     }
     let h = t - state.t;
     let here = state.values.moment();
-    let mut solver = Solver::warm(equations, Predictor::new(here, &state.extrapolation, signs, h, moving, E::ITERATED.len()));
+    let mut solver =
+        Solver::warm(equations, Predictor::new((here, state.condition), &state.extrapolation, signs, h, moving, E::ITERATED.len()));
     let nowhere = T::Mask::of(false);
     // Borrowed, since moving it would copy all coordinates.
     let result = equations.stages(t, &mut solver);
@@ -103,8 +104,8 @@ fn step_in_place<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
     let h = t - state.t;
     let before = Coordinates::of(state);
     let State { values, extrapolation, .. } = state;
-    let here = before.moment();
-    let mut solver = Solver::warm(equations, Predictor::new(here, extrapolation, signs, h, moving, E::ITERATED.len()));
+    let (here, condition) = (before.moment(), values.condition);
+    let mut solver = Solver::warm(equations, Predictor::new((here, condition), extrapolation, signs, h, moving, E::ITERATED.len()));
     let is_found = equations.stages_in_place(t, &mut solver, values).is_ok();
     let Some(StepReport { found, condition, iterations }) = solver.report().filter(|_| is_found) else {
         values.put(before);

@@ -1,6 +1,6 @@
 //! Systems of up to three rows by Cramer's rule: one division, by the determinant.
 
-use crate::expr::{Arena, Expr, Unary};
+use crate::expr::{Arena, Expr};
 
 /// Systems of up to this many rows are solved by cofactors.
 pub(super) const BY_COFACTORS: usize = 3;
@@ -9,8 +9,6 @@ pub(super) const BY_COFACTORS: usize = 3;
 pub(super) struct Cofactors {
     /// det A
     pub(super) determinant: Expr,
-    /// Sum of the sizes of the determinant's terms.
-    pub(super) terms: Expr,
     /// A⁻¹ det A, by column of A and row of A.
     adjugate: Vec<Vec<Expr>>,
     /// 1/det A
@@ -24,21 +22,17 @@ impl Cofactors {
         let cofactor = |arena: &mut Arena, row: usize, column: usize| {
             let rest = |without: usize| (0..count).filter(move |k| *k != without).collect::<Vec<_>>();
             let minor = minor(arena, matrix, &rest(row), &rest(column));
-            if (row + column).is_multiple_of(2) { minor } else { [arena.neg(minor[0]), minor[1]] }
+            if (row + column).is_multiple_of(2) { minor } else { arena.neg(minor) }
         };
-        let adjugate: Vec<Vec<[Expr; 2]>> = (0..count).map(|column| (0..count).map(|row| cofactor(arena, row, column)).collect()).collect();
-        let [mut determinant, mut terms] = [arena.integer(0); 2];
+        let adjugate: Vec<Vec<Expr>> = (0..count).map(|column| (0..count).map(|row| cofactor(arena, row, column)).collect()).collect();
+        let mut determinant = arena.integer(0);
         for (column, entry) in matrix[0].iter().enumerate() {
-            let product = arena.mul(*entry, adjugate[column][0][0]);
+            let product = arena.mul(*entry, adjugate[column][0]);
             determinant = arena.add(determinant, product);
-            let size = arena.unary(Unary::Abs, *entry);
-            let product = arena.mul(size, adjugate[column][0][1]);
-            terms = arena.add(terms, product);
         }
         let one = arena.integer(1);
         let inverse = arena.div(one, determinant);
-        let adjugate = adjugate.into_iter().map(|row| row.into_iter().map(|[cofactor, _]| cofactor).collect()).collect();
-        Cofactors { determinant, terms, adjugate, inverse }
+        Cofactors { determinant, adjugate, inverse }
     }
 
     /// A⁻¹ b
@@ -62,15 +56,14 @@ impl Cofactors {
     }
 }
 
-/// Determinant of up to two rows, and the sum of the sizes of its terms.
-fn minor(arena: &mut Arena, matrix: &[Vec<Expr>], rows: &[usize], columns: &[usize]) -> [Expr; 2] {
+/// Determinant of up to two rows.
+fn minor(arena: &mut Arena, matrix: &[Vec<Expr>], rows: &[usize], columns: &[usize]) -> Expr {
     match (rows, columns) {
-        (&[row], &[column]) => [matrix[row][column], arena.unary(Unary::Abs, matrix[row][column])],
+        (&[row], &[column]) => matrix[row][column],
         (&[a, b], &[c, d]) => {
             let (left, right) = (arena.mul(matrix[a][c], matrix[b][d]), arena.mul(matrix[a][d], matrix[b][c]));
-            let sizes = [left, right].map(|product| arena.unary(Unary::Abs, product));
-            [arena.sub(left, right), arena.add(sizes[0], sizes[1])]
+            arena.sub(left, right)
         }
-        _ => [arena.integer(1); 2],
+        _ => arena.integer(1),
     }
 }

@@ -51,7 +51,7 @@ pub struct Multipliers {
     pub checks: Vec<[Expr; 2]>,
 }
 
-/// A determinant below one part in so many of its terms is not trusted, nor a pivot below such a part of its row.
+/// A determinant below one part in so many of the product of its rows is not trusted, nor a pivot below such a part of its row.
 const TRUSTED: i64 = 1 << 16;
 const TRUST: Trust = Trust { first: 1 << 10, further: 1 };
 
@@ -371,7 +371,7 @@ impl<'a> LoadMatrix<'a> {
         } else if let Some(found) = self.along_axes(&matrix, &sides) {
             found
         } else if rows.len() <= BY_COFACTORS {
-            self.by_cofactors(&matrix, &sides)
+            self.by_cofactors(columns, &matrix, &sides)
         } else {
             let number = |row: &usize, column: &usize| self.numbers[*row].get(column).copied().unwrap_or(0.0) * self.lengths[*column];
             let numbers: Vec<Vec<f64>> = rows.iter().map(|row| columns.iter().map(|column| number(row, column)).collect()).collect();
@@ -407,13 +407,26 @@ impl<'a> LoadMatrix<'a> {
     }
 
     /// A⁻¹ b of two or three rows.
-    fn by_cofactors(&mut self, matrix: &[Vec<Expr>], sides: &[Expr]) -> Vec<Expr> {
+    ///
+    /// The determinant is compared with its rows, not with its terms: of two bars in line with an axis all terms vanish.
+    fn by_cofactors(&mut self, columns: &[usize], matrix: &[Vec<Expr>], sides: &[Expr]) -> Vec<Expr> {
         let cofactors = Cofactors::new(self.arena, matrix);
-        let Cofactors { determinant, terms, .. } = cofactors;
+        let determinant = cofactors.determinant;
         if self.arena.as_constant(determinant).is_none() {
-            let trusted = self.arena.integer(TRUSTED);
-            let (size, least) = (self.arena.unary(Unary::Abs, determinant), self.arena.div(terms, trusted));
-            self.checks.push([size, least]);
+            let unit = columns.iter().fold(f64::INFINITY, |least, column| least.min(self.lengths[*column]));
+            let lengths: Vec<Expr> = columns.iter().map(|column| super::power_of_two(self.arena, self.lengths[*column] / unit)).collect();
+            let scale: f64 = columns.iter().map(|column| unit / self.lengths[*column]).product();
+            let mut least = super::power_of_two(self.arena, scale / TRUSTED as f64);
+            for row in matrix {
+                let mut sum = self.arena.integer(0);
+                for (entry, length) in row.iter().zip(&lengths) {
+                    let entry = self.arena.mul(*entry, *length);
+                    let entry = self.arena.unary(Unary::Abs, entry);
+                    sum = self.arena.add(sum, entry);
+                }
+                least = self.arena.mul(least, sum);
+            }
+            self.checks.push([self.arena.unary(Unary::Abs, determinant), least]);
         }
         cofactors.solve(self.arena, sides)
     }

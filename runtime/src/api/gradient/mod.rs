@@ -14,12 +14,14 @@
 mod factors;
 mod number;
 
+use core::cell::Cell;
+
 use nalgebra::SVector;
 
 use crate::explain::Failure;
 use crate::linear::{Elimination, FactorReal, Factors, InOrder, Linear, Small, Sparse};
 use crate::names::{self, Cause, Coordinate, CoordinateKind, Culprit, Description};
-use crate::newton::{Block, Evaluate, Iterate, Solved, StepError};
+use crate::newton::{Block, Evaluate, Iterate, Scale, Solved, StepError};
 use crate::number::order::greater;
 use crate::number::{Float, Real, row};
 use crate::solve::{ColdStart, Family, Solver, SolverReal, Stages, lengths_of};
@@ -97,6 +99,35 @@ pub struct Differentiation<'a, T: Float, const N: usize> {
     /// L and 1/L.
     lengths: (T, T),
     coordinates: &'static [Coordinate],
+    /// Of the state.
+    condition: T,
+    /// An equation and an unknown of a block that is too nearly singular.
+    lost: Cell<Option<[usize; 2]>>,
+}
+
+impl<T: Float, const N: usize> Differentiation<'_, T, N> {
+    /// True if a block is so nearly singular that derivatives have lost their digits: second ones amplify rounding by κ⁴.
+    #[cold]
+    #[inline(never)]
+    fn loses<L: Linear<Gradient<T, P>, K>, const P: usize, const K: usize>(
+        &self,
+        block: &Block<K>,
+        sizes: [Gradient<T, P>; K],
+        factors: &L,
+    ) -> bool {
+        let lengths = (Gradient::constant(self.lengths.0), Gradient::constant(self.lengths.1));
+        let scale = Scale::by_kind(lengths.0, lengths.1, &block.kinds);
+        let is_lost = factors.error_amplification(&SVector::from(sizes), &scale.reciprocal).value >= lost();
+        if let (true, Some(row), Some(unknown)) = (is_lost, block.equations.first(), block.unknowns.first()) {
+            self.lost.set(Some([*row, *unknown]));
+        }
+        is_lost
+    }
+}
+
+/// The condition κ = ε^(−1/4), from which on second derivatives have no digits.
+fn lost<T: Float>() -> T {
+    T::of(1.0) / T::ROOT_EPSILON.sqrt()
 }
 
 impl<T: Float, const P: usize, const N: usize> ColdStart<Gradient<T, P>, N> for Differentiation<'_, T, N> {
@@ -116,7 +147,7 @@ impl<T: Float, const P: usize, const N: usize> ColdStart<Gradient<T, P>, N> for 
     fn solve_block<L: Linear<Gradient<T, P>, K>, const K: usize>(
         &self,
         block: &Block<K>,
-        _: [Gradient<T, P>; K],
+        sizes: [Gradient<T, P>; K],
         evaluate: &Evaluate<'_, Gradient<T, P>, L, K>,
     ) -> Result<Solved<Gradient<T, P>, L, K>, StepError<Gradient<T, P>>> {
         let first = names::coordinate(self.coordinates, block.unknowns.first().copied().unwrap_or(0));
@@ -131,7 +162,7 @@ impl<T: Float, const P: usize, const N: usize> ColdStart<Gradient<T, P>, N> for 
         }
         let (phi, matrix) = evaluate(&place);
         let factors = L::factor(&matrix).map_err(|_| bad())?;
-        if !factors.is_regular() {
+        if !factors.is_regular() || self.condition >= lost() && self.loses(block, sizes, &factors) {
             return Err(bad());
         }
         let off = factors.solve_as_constant(&phi);
@@ -258,12 +289,26 @@ where
     E::Over<Gradient<T, P>>: Stages<Gradient<T, P>, N>,
 {
     mechanism.validate().map_err(Cause::ParameterOutOfRange)?;
-    let differentiation =
-        Differentiation { q: &state.q, lengths: lengths_of(mechanism.characteristic_length()), coordinates: E::COORDINATES };
+    let differentiation = Differentiation {
+        q: &state.q,
+        lengths: lengths_of(mechanism.characteristic_length()),
+        coordinates: E::COORDINATES,
+        condition: state.condition,
+        lost: Cell::new(None),
+    };
     let there = &mut there.values;
     match varied.stages(Gradient::constant(state.t), &mut Solver::cold(&differentiation)) {
         Ok(found) => (there.q, there.qd, there.qdd) = (found.q, found.qd, found.qdd),
-        Err(StepError::NotFinite(of)) => return Err(Cause::NotFinite { of }),
+        Err(StepError::NotFinite(of)) => {
+            return Err(match differentiation.lost.get() {
+                Some([row, unknown]) => Cause::Singular {
+                    row: names::row(E::ROWS, row),
+                    coordinate: names::coordinate(E::COORDINATES, unknown),
+                    condition: state.condition,
+                },
+                None => Cause::NotFinite { of },
+            });
+        }
         Err(StepError::Far | StepError::Open(_)) if E::HAS_INPUTS => return Err(Cause::OtherInputs),
         Err(StepError::Far | StepError::Open(_)) => return Err(Cause::NoConvergence { correction: T::of(OFF), iterations: 0 }),
     }
