@@ -1,5 +1,7 @@
 //! Places where the equations of the joints depend on each other: a motion stops there or passes, but never goes on with other speeds.
 
+use std::f64::consts::PI;
+
 use reuleaux::{Integrator, Stopped, mechanism};
 use reuleaux_tests::samples;
 
@@ -105,6 +107,48 @@ fn a_kite_keeps_its_energy_or_stops() {
 #[test]
 fn a_parallelogram_keeps_its_energy_or_stops() {
     keeps_its_energy!(Parallelogram, [0.3, 0.4, 0.45, 0.5, 0.6]);
+}
+
+mechanism! {
+    /// A pendulum of two cranks and a bar, which begins at any angle.
+    mechanism Pendulum {
+        param start: Angle = 60deg;
+        gravity = (0, -9.81m_s2);
+        ground { point B = (300mm, 0mm); }
+        body a { point P = (100mm, 0mm);  mass = 1kg;  inertia = 0.002kgm2; }
+        body c { point Q = (300mm, 0mm);  mass = 1kg;  center = (150mm, 0mm);  inertia = 0.01kgm2; }
+        body b { point P = (100mm, 0mm);  mass = 1kg;  inertia = 0.005kgm2;  start angle = 60deg; }
+        joint ja = revolute(ground.position, a.position);
+        joint jb = revolute(ground.B, b.position);
+        joint jc = revolute(a.P, c.position);
+        joint jd = revolute(c.Q, b.P);
+        freedom f = a.angle from start at 2rad_s;
+    }
+}
+
+/// States that are handed out keep digits of their accelerations, or are refused: where all bars are in line nothing decides between the branches.
+#[test]
+fn beside_the_place_where_bars_are_in_line_accelerations_keep_digits_or_are_refused() {
+    // Only the bar is lifted: α = −m g r cos θ / (J + J' + m r²)
+    let right = |angle: f64| -9.81 * 0.1 * angle.cos() / (0.002 + 0.005 + 0.01);
+    let check = |found: Result<PendulumState, Stopped<f64>>, beside: f64| match found {
+        Ok(state) => {
+            assert!(beside.abs() > 1e-5, "{beside:e}");
+            let off = [state.a().angular_acceleration, state.b().angular_acceleration].map(|found| found / right(state.a().angle) - 1.0);
+            assert!(off.iter().all(|off| off.abs() < 1e-3), "{beside:e}: {off:?}");
+        }
+        Err(stopped) => assert!(is_told(&stopped) && beside.abs() < 1e-3, "{beside:e}: {stopped}"),
+    };
+    for beside in (2..=14).map(|digits| 0.3 * 0.1_f64.powi(digits)).chain([0.0]) {
+        check(Pendulum { start: PI - beside }.initial_state(), beside);
+        if beside > 0.0 {
+            let mechanism = Pendulum { start: PI - 0.1 };
+            let mut state = mechanism.initial_state().expect("a start");
+            let event = |state: &PendulumState| state.a().angle - (PI - beside);
+            let found = mechanism.advance_until(&mut state, 1.0, &mut Integrator::new(1e-10), event);
+            check(found.map(|_| state), beside);
+        }
+    }
 }
 
 /// The angle of the cranks at a time: as long as the bar does not turn they have one equation, here by Runge and Kutta's method.

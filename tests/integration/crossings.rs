@@ -102,6 +102,59 @@ fn the_crossing_itself_is_a_state() {
     assert!(piston.acceleration.x.abs() < 1e-9, "{piston:?}");
 }
 
+/// Beside the crossing the condition κ grows beyond 1e5, where κ³ ε would leave no digit of an acceleration.
+#[test]
+fn beside_the_crossing_accelerations_keep_their_digits() {
+    let (parallelogram, isosceles) = (Parallelogram::default(), Isosceles::default());
+    let crossings = [119.0 / 60.0, 59.0 / 60.0];
+    let off = |[found, right]: [Motion<f64>; 2], speed: f64| {
+        let [rate, acceleration] = [found.rate - right.rate, found.acceleration - right.acceleration];
+        ((rate / speed).abs()).max((acceleration / (speed * speed)).abs())
+    };
+    let of_parallelogram = |state: &State<f64, 9>| off([state.coordinate(8), state.coordinate(2)], state.coordinate(2).rate);
+    let of_isosceles = |state: &State<f64, 9>| {
+        let (rod, crank) = (state.coordinate(5), state.coordinate(2));
+        off([rod, Motion { value: -crank.value, rate: -crank.rate, acceleration: -crank.acceleration }], crank.rate)
+    };
+    for digits in 4..=12 {
+        for side in [-1.0, 1.0] {
+            let beside = side * 0.3 * 0.1f64.powi(digits);
+            let there = parallelogram.solve(crossings[0] + beside).expect("beside the crossing");
+            assert!(of_parallelogram(&there) < 1e-3, "{beside:e}: {} at {:e}", of_parallelogram(&there), there.condition);
+            let there = isosceles.solve(crossings[1] + beside).expect("beside the crossing");
+            assert!(of_isosceles(&there) < 1e-3, "{beside:e}: {} at {:e}", of_isosceles(&there), there.condition);
+        }
+        // Steps that become short beside it, and steps that are short throughout.
+        let (mut state, mut other) = (parallelogram.solve(crossings[0] - 0.1).expect("a start"), isosceles.solve(0.9).expect("a start"));
+        let h = 0.1f64.powi(digits);
+        for step in -20..=20 {
+            parallelogram.advance(&mut state, crossings[0] + h * (f64::from(step) + 0.3)).expect("a step");
+            assert!(of_parallelogram(&state) < 1e-3, "{h:e} {step}: {} at {:e}", of_parallelogram(&state), state.condition);
+            isosceles.advance(&mut other, crossings[1] + h * (f64::from(step) + 0.3)).expect("a step");
+            assert!(of_isosceles(&other) < 1e-3, "{h:e} {step}: {} at {:e}", of_isosceles(&other), other.condition);
+        }
+    }
+}
+
+/// At the crossing Φ_q is singular, and beside it the derivatives by parameters lose all digits before the state does.
+#[test]
+fn derivatives_are_refused_where_they_have_no_digits() {
+    let parallelogram = Parallelogram { start: 60f64.to_radians() };
+    let derived = |t: f64| {
+        let state = parallelogram.solve(t).expect("a state");
+        let found = parallelogram.derivatives(&state, |m| [&mut m.start]);
+        found.map(|(_, state)| ParallelogramState(state).rocker().angle.by[0])
+    };
+    for beside in [0.0, 1e-13, -1e-9, 1e-6, -1e-5] {
+        let Err(failure) = derived(2.0 + beside) else { panic!("{beside:e}") };
+        assert!(matches!(failure.cause, Cause::Singular { .. }), "{failure}");
+    }
+    for away in [-0.5, -1e-2, 1e-2, 0.5] {
+        let by = derived(2.0 + away).expect("derivatives");
+        assert!((by - 1.0).abs() < 1e-10, "{away}: {by}");
+    }
+}
+
 mechanism! {
     /// Wheels in a row, each coupled to the next by a parallelogram.
     mechanism Wheels {

@@ -228,6 +228,42 @@ fn loads_that_grow_beyond_all_bounds_at_a_change_point_are_no_numbers_there() {
 }
 
 mechanism! {
+    /// A parallelogram whose bars weigh something. In line, they lie along x.
+    mechanism Heavy {
+        gravity = (0, -9.81m_s2);
+        ground { point C = (300mm, 0mm); }
+        body crank  { point A = (100mm, 0mm); }
+        body bar    { point B = (300mm, 0mm);  mass = 1kg;  center = (150mm, 0mm); }
+        body rocker { point B = (100mm, 0mm);  start angle = 60deg;  mass = 1kg;  center = (50mm, 0mm); }
+        joint o = revolute(ground.position, crank.position);
+        joint a = revolute(crank.A, bar.position);
+        joint b = revolute(bar.B, rocker.B);
+        joint c = revolute(rocker.position, ground.C);
+        slice drive motor = drive_angle(crank, 60deg + 2rad_s * t);
+    }
+}
+
+/// At the change point bar and rocker could turn against each other, which their weights would do.
+#[test]
+fn bars_in_line_with_an_axis_have_no_loads_that_balance_their_weights() {
+    let heavy = Heavy::default();
+    for turns in 0..4 {
+        let crossing = core::f64::consts::FRAC_PI_3 + f64::from(turns) * core::f64::consts::FRAC_PI_2;
+        let there = heavy.solve(crossing).expect("in line");
+        let (effort, slice) = (heavy.loads(&there).motor(), heavy.load_of_motor(&there));
+        assert!(effort.effort.is_nan() && !effort.is_unique && slice.effort.is_nan(), "{effort:?} {slice:?}");
+        assert!(heavy.loads(&there).o().force.iter().all(|force| force.is_nan()), "{:?}", heavy.loads(&there).o());
+        for beside in [-1e-2, -1e-4, -1e-6, 1e-6, 1e-4, 1e-2] {
+            let state = heavy.solve(crossing + beside).expect("beside it");
+            // Both centres rise with the crank, that of the bar by all of it.
+            let right = 9.81 * (0.1 + 0.05) * state.crank().angle.cos();
+            let found = heavy.loads(&state).motor();
+            assert!(found.is_unique && (found.effort - right).abs() < 1e-5 * right.abs(), "{turns} {beside:e}: {found:?} {right}");
+        }
+    }
+}
+
+mechanism! {
     /// A balanced rotor on two bearings, which nothing turns.
     mechanism Rotor in space {
         ground { axis u = (1, 2, 3) from (1, 0, -1 / 3);  point P = (1m, 2m, 3m); }

@@ -164,9 +164,10 @@ fn rooms(tree: &ast::Mechanism, definitions: import::Definitions, diag: &mut Dia
     model.doubts.extend(angles);
     model.doubts.extend(hints::doubtful_expressions(tree));
     model.doubts.extend(hints::doubtful_shapes(tree));
-    model.doubts.extend(shafts_for_arms(&model));
     // Every name is an id, every quantity has a dimension.
-    let doubts = model.doubts.clone();
+    let mut doubts = model.doubts.clone();
+    // Where nothing fails, a start may simply not be declared.
+    doubts.extend(shafts_for_arms(&model));
     let compiled = after_names(model, diag);
     if compiled.is_none() {
         diag.explain(&doubts);

@@ -188,12 +188,20 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
         S: Dynamics<T, N, I, M, R>,
     {
         self.begin(mechanism, state, t)?;
-        let mut reached = None;
+        let (mut reached, mut end, mut approaches) = (None, t, 0);
         for _ in 0..self.most {
             if state.t == t {
                 return Ok(false);
             }
-            let (next, _, jumps) = self.stepped(mechanism, state, &mut reached, t)?;
+            let (next, _, jumps) = match self.stepped(mechanism, state, &mut reached, end) {
+                // An event before joints lock is found.
+                Err(Stopped::Singular { time, .. }) if approaches < APPROACHES && time != state.t => {
+                    (end, approaches) = (state.t + T::of(NEARLY) * (time - state.t), approaches + 1);
+                    continue;
+                }
+                stepped => stepped?,
+            };
+            end = t;
             let (between, tolerance) = ((&*state, &next, self.stopped), (self.tolerance, self.fastest));
             let found = first_event::<K, T, S, N, I, M, R>(mechanism, between, &event, tolerance)?;
             // An event before speeds jump is found.
@@ -306,6 +314,10 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
         }
     }
 }
+
+/// Most steps to the place where joints lock, and the part of the way that each makes.
+const APPROACHES: usize = 8;
+const NEARLY: f64 = 0.9;
 
 /// Longest first step, as a fraction of the time to be covered.
 const FIRST: f64 = 0.01;
