@@ -13,7 +13,6 @@ use super::crossing;
 use crate::names::{self, Cause, CoordinateKind, Culprit};
 use crate::newton::{BLURRED, StepError, length_of};
 use crate::number::Float;
-use crate::number::order::greater;
 use crate::solve::{ColdSolver, Followed, Stages, largest_alone};
 use crate::state::State;
 
@@ -23,12 +22,6 @@ const MOST_STEPS: usize = 1_000_000;
 
 /// With this many coordinates the limit is about a tenth.
 const MANY: usize = 90;
-
-/// Up to this condition, as a fraction of ε^(−1/4), a state is far enough from a change point to estimate where that is.
-const CLEAR: f64 = 0.0625;
-
-/// The least such limit, for single precision.
-const LEAST_CLEAR: f64 = 16.0;
 
 /// From this condition on, as a fraction of 1 / √ε, a state may be at the end of a branch.
 const NEARLY_SINGULAR: f64 = 1.0 / 64.0;
@@ -120,6 +113,10 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
     let mut is_solved = matches!(&seated, Ok((seated, _)) if !turns_on(mechanism, &state.q, &seated.q));
     let given = || (state.clone(), true);
     let (mut here, fits) = seated.map_or_else(|_| given(), |(seated, off)| if is_solved { (seated, off.is_none()) } else { given() });
+    // Next to a crossing the state has digits that it would not have by itself.
+    if is_solved && crossing::is_close(state) && state.parameter_hash == mechanism.parameter_hash {
+        here = state.clone();
+    }
     // Why there was no state at `t`, as far as a redundant equation is to blame.
     let mut refused = None;
     let mut waypoint = here.clone();
@@ -150,7 +147,7 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
                 here = there;
                 is_solved = true;
                 step = step + step;
-                if here.condition <= greater(largest_condition(CLEAR), T::of(LEAST_CLEAR)) {
+                if crossing::is_clear(&here) {
                     waypoint = here.clone();
                 }
                 continue;
@@ -183,11 +180,6 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
 fn is_behind_peak<T: Float, const N: usize>(waypoint: &State<T, N>, here: &State<T, N>, there: &State<T, N>) -> bool {
     let is_peak = here.condition > T::of(LARGEST_PASSED) / T::ROOT_EPSILON && here.condition > T::of(RISEN) * waypoint.condition;
     is_peak && there.condition < here.condition
-}
-
-/// This fraction of ε^(−1/4).
-fn largest_condition<T: Float>(share: f64) -> T {
-    T::of(share) / T::ROOT_EPSILON.sqrt()
 }
 
 /// Halves a step; false if it cannot be shorter, because time would change by less than its rounding, or near the end of a branch the

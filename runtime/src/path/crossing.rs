@@ -30,6 +30,12 @@ const LEAST_CLOSE: f64 = 64.0;
 /// Largest number of steps towards the crossing, each half of the remaining time.
 const MOST_STEPS: usize = 64;
 
+/// Up to this condition, as a fraction of ε^(−1/4), a state is far enough from a change point to estimate where that is.
+const CLEAR: f64 = 0.0625;
+
+/// The least such limit, for single precision.
+const LEAST_CLEAR: f64 = 16.0;
+
 /// Between two states of this condition (a fraction of ε^(−1/4)), one on either side, a polynomial of fifth degree is as accurate
 /// as the states.
 const STRAIGHT: f64 = 1.0 / 32.0;
@@ -67,10 +73,44 @@ pub(crate) fn cross<T: Float, const N: usize>(
     here: &State<T, N>,
     t: T,
 ) -> Option<State<T, N>> {
-    if here.condition < close() || waypoint.t == here.t {
+    if !is_close(here) {
         return None;
     }
-    let crossing = crossing(waypoint, here);
+    let beyond = if is_clear(waypoint) { None } else { from_beside(mechanism, waypoint, t) };
+    if beyond.is_some() {
+        return beyond;
+    }
+    if waypoint.t == here.t { None } else { towards(mechanism, waypoint, here, crossing(waypoint, here), t) }
+}
+
+/// Whether a state is so near to a crossing that it may have been extrapolated.
+pub(super) fn is_close<T: Float, const N: usize>(state: &State<T, N>) -> bool {
+    state.condition >= close()
+}
+
+/// The same for a motion that began next to the change point, at `first`: from a state farther away.
+fn from_beside<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, first: &State<T, N>, t: T) -> Option<State<T, N>> {
+    // The condition of a state that was extrapolated is not that of its place.
+    let other = neighbour(mechanism, first)?;
+    let next = step(mechanism, &other, other.t + (other.t - first.t), false)?;
+    let waypoint = away(mechanism, next, &other)?;
+    let [last, closest] = approached(mechanism, &waypoint, &other)?;
+    towards(mechanism, &waypoint, &closest, crossing(&last, &closest), t)
+}
+
+/// Whether a state is far enough from a crossing to estimate where that is.
+pub(super) fn is_clear<T: Float, const N: usize>(state: &State<T, N>) -> bool {
+    state.condition <= greater(T::of(CLEAR) / T::ROOT_EPSILON.sqrt(), T::of(LEAST_CLEAR))
+}
+
+/// The same, once it is known where the change point is.
+fn towards<T: Float, const N: usize>(
+    mechanism: &Followed<'_, T, N>,
+    waypoint: &State<T, N>,
+    here: &State<T, N>,
+    crossing: T,
+    t: T,
+) -> Option<State<T, N>> {
     let is_there = (t - crossing).abs() <= T::of(REACH) * (crossing - here.t).abs();
     if !is_there && (t - crossing) * (crossing - waypoint.t) <= T::of(0.0) {
         return None;
@@ -107,7 +147,9 @@ fn through<T: Float, const N: usize>(
     let (mut between, place) = (between(), if is_there { t } else { crossing });
     // Where the mechanism turns fast, polynomials are accurate only next to the crossing.
     loop {
-        if let Some(there) = at(mechanism, [&before, &beyond], crossing, place, between) {
+        if let Some(mut there) = at(mechanism, [&before, &beyond], crossing, place, between) {
+            // What follows is told that a crossing is near.
+            there.values.condition = greater(there.condition, close);
             return Some(if is_there { State { parameter_hash: mechanism.parameter_hash, ..there } } else { beyond });
         }
         if between >= close {
@@ -152,22 +194,8 @@ pub(crate) fn refine_beside<T: Float, const N: usize>(mechanism: &Followed<'_, T
 fn beside<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &State<T, N>) -> Option<State<T, N>> {
     let scale = mechanism.scale();
     let speed = scale.norm(&here.qd);
-    // The change point is about 1 / condition away.
-    let brief = T::of(BRIEF) / (here.condition * speed);
-    let other = [here.t - brief, here.t + brief].into_iter().find_map(|t| step(mechanism, here, t, false))?;
-    let (mut waypoint, mut closest) = (other, here.clone());
-    for _ in 0..MOST_STEPS {
-        if waypoint.condition <= between() {
-            break;
-        }
-        let crossing = crossing(&waypoint, &closest);
-        // Away from it the condition decreases as the distance grows.
-        let next = step(mechanism, &waypoint, crossing + T::of(2.0) * (waypoint.t - crossing), false)?;
-        if next.condition > T::of(LEAST_DECREASE) * waypoint.condition {
-            return None;
-        }
-        waypoint = next;
-    }
+    let other = neighbour(mechanism, here)?;
+    let (waypoint, mut closest) = (away(mechanism, other, here)?, here.clone());
     let mut last = waypoint.clone();
     for _ in 0..MOST_STEPS {
         if closest.condition >= close() {
@@ -183,8 +211,57 @@ fn beside<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &State
     let apart = [(&there.q, &here.q), (&there.qd, &here.qd), (&there.qdd, &here.qdd)];
     let apart = apart.map(|(there, here)| scale.norm(&difference(there, here)));
     let is_same = apart.iter().zip(&rounded).all(|(apart, rounded)| apart <= rounded);
-    there.values.branch = here.branch;
+    (there.values.branch, there.values.condition) = (here.branch, here.condition);
     is_same.then_some(there)
+}
+
+/// A state on either side of one next to a crossing, which is about 1 / condition away.
+fn neighbour<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &State<T, N>) -> Option<State<T, N>> {
+    let speed = mechanism.scale().norm(&here.qd);
+    let mut brief = T::of(BRIEF) / (here.condition * speed);
+    while brief * speed < T::of(BRIEF) / between() {
+        let found = [here.t - brief, here.t + brief].into_iter().find_map(|t| step(mechanism, here, t, false));
+        if found.is_some() {
+            return found;
+        }
+        brief = brief * T::of(CLOSER);
+    }
+    None
+}
+
+/// The last two of the states from `waypoint` towards the crossing next to `here`, until the condition is large.
+fn approached<T: Float, const N: usize>(
+    mechanism: &Followed<'_, T, N>,
+    waypoint: &State<T, N>,
+    here: &State<T, N>,
+) -> Option<[State<T, N>; 2]> {
+    let (mut last, mut closest) = (waypoint.clone(), nearer(mechanism, waypoint, crossing(waypoint, here))?);
+    for _ in 0..MOST_STEPS {
+        if closest.condition >= close() {
+            break;
+        }
+        let next = nearer(mechanism, &closest, crossing(&last, &closest))?;
+        (last, closest) = (closest, next);
+    }
+    Some([last, closest])
+}
+
+/// A well conditioned state on the way from `here`, which is next to a crossing, to `waypoint` and beyond; None if the condition does not decrease
+/// there.
+fn away<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, mut waypoint: State<T, N>, here: &State<T, N>) -> Option<State<T, N>> {
+    for _ in 0..MOST_STEPS {
+        if waypoint.condition <= between() {
+            break;
+        }
+        let crossing = crossing(&waypoint, here);
+        // Away from it the condition decreases as the distance grows.
+        let next = step(mechanism, &waypoint, crossing + T::of(2.0) * (waypoint.t - crossing), false)?;
+        if next.condition > T::of(LEAST_DECREASE) * waypoint.condition {
+            return None;
+        }
+        waypoint = next;
+    }
+    Some(waypoint)
 }
 
 /// Where the condition would be infinite, from two states on one side.
