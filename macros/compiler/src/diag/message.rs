@@ -59,7 +59,7 @@ impl fmt::Display for Fact {
             Fact::InInstance { place, fact } => {
                 let sentence = fact.to_string();
                 let (first, rest) = parted(&sentence);
-                write!(f, "{first}\nnote: {place}{rest}")
+                write!(f, "{first}\nnote: {place}{}", as_seen_inside(place, rest))
             }
             Fact::Noted { fact, note: Note::DeclaredUnit { name, instead } } => {
                 write!(
@@ -233,4 +233,26 @@ impl fmt::Display for Doubt {
             Doubt::UnusedImport { name } => write!(f, "nothing in this mechanism uses `{name}`\nhelp: remove `{name}` from `use`"),
         }
     }
+}
+
+/// Help with names as they are typed in a part or in a loop: without the name of the part, and with the variable of the loop.
+///
+/// * `place`: given, as in "in `leg`", "here `i` is 0" or "in `leg`, where `i` is 0".
+fn as_seen_inside(place: &str, help: &str) -> String {
+    let mut quoted = place.split('`').skip(1).step_by(2);
+    let part = quoted.next().filter(|_| place.starts_with("in "));
+    let mut seen = help.to_owned();
+    // The place is a part, or an item of one.
+    let owner = part.and_then(|item| item.rsplit_once('.')).map(|(owner, _)| owner);
+    for prefix in part.into_iter().chain(owner) {
+        for before in ["`", " ", "(", "-"] {
+            seen = seen.replace(&format!("{before}{prefix}."), before);
+        }
+    }
+    for clause in place.split("here ").skip(1).flat_map(|clauses| clauses.split(" and ")) {
+        if let Some((name, value)) = clause.trim_matches(['`', ',']).split_once("` is ") {
+            seen = seen.replace(&format!("[{value}]"), &format!("[{name}]"));
+        }
+    }
+    seen
 }

@@ -36,7 +36,7 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern,
         let name = &model.bodies[body(first)].name;
         let has_place = !has_no_place(&first);
         let example = if has_place { drive_for(model, system, *first) } else { pin(model, body(first)) };
-        let coordinates = in_none.iter().map(|unknown| system.name(model, *unknown)).collect();
+        let coordinates = driven(model, system, &in_none);
         let freedom = has_masses.then(|| freed(model, system, *first));
         diag.refuse::<()>(name, SystemFact::FreeCoordinates { body: name.to_string(), coordinates, has_place, example, freedom });
         return;
@@ -105,7 +105,7 @@ fn passive_spin(model: &Model, system: &System) -> Option<(Vec<usize>, [usize; 2
 }
 
 /// Names of coordinates that a drive could prescribe; of a body that turns in space, its orientation.
-fn driven(model: &Model, system: &System, unknowns: &[usize]) -> Vec<String> {
+pub(super) fn driven(model: &Model, system: &System, unknowns: &[usize]) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for unknown in unknowns {
         let coordinate = &system.coordinates[*unknown];
@@ -123,7 +123,9 @@ fn driven(model: &Model, system: &System, unknowns: &[usize]) -> Vec<String> {
 /// The expression of a freedom that a coordinate belongs to.
 fn freed(model: &Model, system: &System, unknown: usize) -> String {
     let coordinate = &system.coordinates[unknown];
+    let turns = coordinate.of_joint.is_some_and(|(joint, word)| word.starts_with("angle_") && model.joints[joint].kind != "universal");
     match coordinate.role {
+        _ if turns => format!("{}.angular_velocity", model.bodies[coordinate.body].name),
         Role::Quaternion(_) => format!("{}.angular_velocity", model.bodies[coordinate.body].name),
         _ => system.name(model, unknown),
     }
@@ -233,7 +235,7 @@ fn drive_for(model: &Model, system: &System, unknown: usize) -> String {
         _ if joint.is_some_and(|(_, word)| word == "angle") => {
             format!("drive {name} = drive_rotation({}, 60rpm * t);", joint.map_or("", |(joint, _)| joint))
         }
-        _ if joint.is_some_and(|(_, word)| word.starts_with("angle_")) => {
+        _ if unknown.of_joint.is_some_and(|(joint, word)| word.starts_with("angle_") && model.joints[joint].kind == "universal") => {
             let (joint, word) = joint.unwrap_or((&body.path, "angle_a"));
             format!("drive {name} = drive_rotation({joint}.{word}, 10deg * sin(1rad_s * t));")
         }

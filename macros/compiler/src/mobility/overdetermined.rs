@@ -4,6 +4,7 @@
 //! [`contending`] finds the smallest over-constrained group around it. So joints are blamed only for conflicts among joints, and a drive
 //! only if the joints alone are consistent.
 
+use super::freedoms::driven;
 use crate::diag::{Diag, Fact, MotionFact, SystemFact};
 use crate::model::{Model, Said};
 use crate::structure::{DmPart, Pattern, contending, maximum};
@@ -56,6 +57,12 @@ impl Contenders<'_> {
         unknowns.iter().map(|unknown| self.system.name(self.model, *unknown)).collect()
     }
 
+    /// What is left free, as a drive could prescribe it.
+    fn drivable(&self) -> Vec<String> {
+        let free: Vec<usize> = self.free.iter().copied().collect();
+        driven(self.model, self.system, &free)
+    }
+
     /// Number of joint equations in the group.
     fn of_joints(&self) -> usize {
         let is_drive = |equation: &&usize| self.model.joints[self.system.equations[**equation].joint].is_drive;
@@ -72,7 +79,7 @@ fn joints_contend(view: &Contenders, joints: &[usize]) -> (usize, Fact) {
         others: view.joints(&others),
         equations: view.group.part.equations.len(),
         coordinates: view.coordinates(&view.group.part.unknowns),
-        free: view.coordinates(view.free),
+        free: view.drivable(),
         for_free: view.missing,
     };
     (blamed, fact.into())
@@ -81,7 +88,7 @@ fn joints_contend(view: &Contenders, joints: &[usize]) -> (usize, Fact) {
 /// The joints leave no motion for a freedom.
 fn freedom_is_held(view: &Contenders, freedom: usize, joints: &[usize]) -> Fact {
     let declared = &view.model.joints[freedom];
-    let (by, free) = (view.joints(joints), view.coordinates(view.free));
+    let (by, free) = (view.joints(joints), view.drivable());
     MotionFact::FreedomIsHeld { freedom: declared.name.to_string(), of: declared.residuals.len(), by, free }.into()
 }
 
@@ -96,7 +103,7 @@ fn nothing_to_drive(view: &Contenders, drive: usize, joints: &[usize]) -> System
         joints: view.joints(joints),
         equations: [view.of_joints(), joints.iter().map(|joint| view.model.joints[*joint].residuals.len()).sum()],
         coordinates: view.coordinates(&view.group.part.unknowns),
-        free: view.coordinates(view.free),
+        free: view.drivable(),
         neglected: view.model.neglected(joints.iter().copied()),
         held_by,
     }
@@ -117,7 +124,7 @@ fn drives_contend(view: &Contenders, drives: &[usize], joints: &[usize]) -> Syst
         freedoms: view.group.part.unknowns.len() - view.of_joints(),
         joints: view.joints(&joints),
         coordinates: view.coordinates(&view.group.part.unknowns),
-        free: view.coordinates(view.free),
+        free: view.drivable(),
         in_space: view.system.declared.is_some(),
     }
 }

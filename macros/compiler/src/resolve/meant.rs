@@ -159,7 +159,7 @@ impl Elaborator<'_> {
         let Value::Joint { kind, arguments } = self.value(written, scope)? else { return Some(()) };
         let joint = written.to_string();
         let mut offers = Vec::new();
-        for word in ["angle", "displacement"] {
+        for word in ["angle", "displacement", "angle_a", "angle_b"] {
             if matches!(self.quantity_of(&kind, &arguments, word), Some(Value::Scalar(_))) {
                 offers.push(format!("{joint}.{word}"));
             }

@@ -126,8 +126,14 @@ fn power(input: ParseStream, room: u16) -> Parsed<Expression> {
     }
     if let (true, ExpressionKind::Number { digits, unit }, Some(exponent)) = (is_literal, &base.kind, raised(input)) {
         let whole = format!("{unit}{exponent}");
+        if quantity::unit(unit).is_none() && quantity::unit(&whole).is_some() {
+            let (flaw, instead) = ("a unit is one word", format!("{digits}{whole}"));
+            input.parse::<Token![^]>()?;
+            let range = base.range.to(input.span());
+            return wrong(range, GrammarFact::Misspelt { flaw, instead });
+        }
         // `4m^2` may be a square; a unit of a rate is one word.
-        if unit.contains('_') && crate::quantity::unit(&whole).is_some() {
+        if unit.contains('_') && quantity::unit(&whole).is_some() {
             let (written, squared) = (format!("{digits}{unit}^{exponent}"), format!("({digits}{unit})^{exponent}"));
             return wrong(base.range, GrammarFact::UnitRaised { written, unit: format!("{digits}{whole}"), squared });
         }

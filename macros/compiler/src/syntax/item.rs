@@ -13,7 +13,6 @@ use super::options::{Options, options, passing, velocity};
 use super::output::output;
 use super::repeated::{component, part, repeated_items};
 use super::salvage;
-use super::slip::no_constant;
 use super::tokens::{
     Parsed, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, mentions_masses, name, name_before_block,
     parentheses, path, report, semicolon, skip_item, skip_to_block, visibility, wrong,
@@ -320,7 +319,11 @@ fn uses(input: ParseStream) -> Parsed<Vec<Use>> {
 fn renamed(input: ParseStream, path: super::ast::Path) -> Parsed<Use> {
     let first = path.tokens.clone().into_iter().next().map_or(String::new(), |word| word.to_string());
     if ["std", "core", "libm"].contains(&first.as_str()) {
-        no_constant(&path)?;
+        let constant = [("PI", "pi"), ("TAU", "2 * pi"), ("E", "exp(1)")].into_iter().find(|(name, _)| path.last == name);
+        if let Some((_, instead)) = constant {
+            let flaw = "constants of Rust are not brought in: take this away";
+            return wrong(path.range, GrammarFact::Misspelt { flaw, instead: instead.to_owned() });
+        }
         let flaw = "`use` brings in constraints, forces, functions and components; functions of numbers stand by themselves";
         return wrong(path.range, GrammarFact::Misspelt { flaw, instead: format!("{}(…)", path.last) });
     }

@@ -232,7 +232,19 @@ impl System {
     /// The name of a coordinate: `crank.angle`.
     pub(crate) fn name(&self, model: &Model, coordinate: usize) -> String {
         let (owner, name) = self.owner_and_name(model, coordinate);
-        format!("{owner}.{name}")
+        let Coordinate { body, role, of_joint, .. } = &self.coordinates[coordinate];
+        let marks = model.sketch.axes.iter().chain(&model.sketch.points);
+        match of_joint {
+            // Two angles have names in a universal joint only.
+            Some((joint, name)) if name.starts_with("angle_") && model.joints[*joint].kind != "universal" => {
+                format!("{}.orientation", model.bodies[*body].name)
+            }
+            // A point or an axis of the same name hides it.
+            None if role.is_position() && marks.into_iter().any(|mark| mark.at.body == Some(*body) && mark.name == name) => {
+                format!("{owner}.position.{name}")
+            }
+            _ => format!("{owner}.{name}"),
+        }
     }
 
     /// The name of the body or of the joint that a coordinate belongs to, and its own name.

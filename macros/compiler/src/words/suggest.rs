@@ -31,7 +31,7 @@ const SYNONYMS: [(&str, &[&str]); 103] = [
     ("drive", &["driver", "motor", "actuator", "motion"]),
     ("output", &["measure", "sensor", "result"]),
     ("start", &["initial", "guess", "init"]),
-    ("mass", &["weight", "m", "density"]),
+    ("mass", &["weight", "m"]),
     ("angular_velocity", &["omega", "spin", "angular_speed", "rotation_rate"]),
     ("rate", &["velocity", "speed", "derivative", "ddt", "dt", "der", "diff"]),
     ("cross", &["cross_product", "vector_product"]),

@@ -17,6 +17,9 @@ crate::refusals! {
     item an_angular_velocity_in_greek: "let a = 2s * «ω»;" => "nothing is called `ω` here\nhelp: declare it, such as `param ω: AngularVelocity = …;`";
     item an_energy_as_an_output: "output e = «energy»;" => "nothing is called `energy` here\nnote: energies are computed for a state, in Rust\nhelp: write `mechanism.energy(&state)` there";
     item an_angular_velocity_at_the_start: "body b { start «angular_velocity» = 3rad_s; }" => "a body does not start with `angular_velocity`: a velocity at the start is that of a freedom\nhelp: write `freedom name = body.angle from 0deg at 5rad_s;`";
+    item a_place_of_a_body: "body b { «position» = (1m, 0m); }" => "`position` is no item of a body\nhelp: write `start position = …;` for about where the body is at t = 0";
+    item gravity_in_a_body: "body b { «gravity» = (0, -9.81m_s2); }" => "`gravity` is no item of a body\nhelp: it stands in the mechanism: move it out of the body";
+    item density_of_a_body: "body b { «density» = 7800; }" => "`density` is no item of a body\nhelp: write the mass, a density times a volume, as in `mass = 2kg;`\nnote: a body has `point`, `axis`, `start`, `mass`, `center` and `inertia`";
     item a_center_by_a_marker: "body b { mass = 1kg; «cm» = (1m, 0m); }" => "`cm` is no item of a body\nhelp: did you mean `center`?";
     item micrometres: "let a = «300µm»;" => "no unit is called `µm`\nhelp: `1µm` is `1um`";
     item foot_pounds: "let a = «5lbft»;" => "no unit is called `lbft`\nhelp: `1lbft` is `1lbf * 1ft`";
@@ -50,7 +53,7 @@ crate::refusals! {
     item constraint_as_a_function: "output b = «revolute»(ground.O, crank.O);" => "`revolute` is a constraint, not a function\nhelp: write `joint name = revolute(…);`";
     item number_as_a_function: "output b = «length»(2);" => "expected a function, found a number\nhelp: a product is written with `*`";
     item unit_is_mistyped: "param a: Length = «100furlong»;" => "no unit is called `furlong`\nnote: there are `m`, `mm`, `in`, `rad`, `deg`, `s`, `kg`, `N`, `Nm`, `rpm`, `rad_s`, `m_s`, `kgm2`, `N_m`, `W`, `Pa`, and 54 more: see \"Units\" on the page of `mechanism!`";
-    item unit_with_its_power_apart: "body b { inertia = «3kgm»^2; }" => "no unit is called `kgm`\nhelp: did you mean `3kgm2`?";
+    item unit_with_its_power_apart: "body b { inertia = «3kgm^2»; }" => "a unit is one word\nhelp: write `3kgm2`";
     item length_of_a_vector_by_another_word: "output far = «magnitude»(crank.A - ground.position);" => "no function is called `magnitude`\nhelp: the length of a vector is `norm(v)`";
     item distance_as_a_function: "output far = «distance»(crank.A, ground.position);" => "`distance` is a constraint, not a function\nhelp: the distance of two points is `norm(Q - P)`";
     item angle_as_a_function: "output turned = «angle»(crank);" => "no function is called `angle`\nhelp: the angle of a body in the plane is `body.angle`, that of a vector `direction(v)`; in space a hinge has one, `hinge.angle`";

@@ -162,7 +162,7 @@ crate::refusals! {
     item choice_by_match: "drive d = drive_angle(crank, «match» t { _ => 1rad });" => "expected an expression, found `match`\nhelp: choose by `if a < b { x } else { y }`";
     item function_of_a_module: "output b = «np.sin»(crank.angle / 2);" => "functions stand by themselves\nhelp: write `sin(crank.angle / 2)`";
     item remainder_as_a_function: "output b = «mod»(crank.angle, 2);" => "no function is called `mod`: it jumps, where no derivative exists\nhelp: write `wrap(x)` for an angle within half a turn, or a law that repeats, such as `segments(…, periodic)`";
-    item constant_brought_in: "use «std::f64::consts::PI»;" => "`std::f64::consts::PI` is a constant of Rust\nhelp: write `pi`";
+    item constant_brought_in: "use «std::f64::consts::PI»;" => "constants of Rust are not brought in: take this away\nhelp: write `pi`";
     item function_of_rust_brought_in: "use «libm::sqrt»;" => "`use` brings in constraints, forces, functions and components; functions of numbers stand by themselves\nhelp: write `sqrt(…)`";
     item two_indices_in_one: "body b[«0, 1»] {}" => "each index has brackets of its own\nhelp: write `[0][1]`";
     item vector_without_a_comma: "output b = [100mm «0mm»];" => "expected `,` or the end of the list, found `0mm`\nhelp: write `,` between two values";

@@ -196,7 +196,10 @@ impl Display for GrammarFact {
                 let name = name.as_deref().unwrap_or("name");
                 write!(f, "`{word}` is no item of a mechanism\nhelp: ")?;
                 if *home == Home::Nothing {
-                    return write!(f, "take it away: a body that no joint holds moves freely");
+                    return write!(
+                        f,
+                        "take it away: a body that no joint holds moves freely, with `freedom p = body.position; freedom q = body.angle;`, in space `body.angular_velocity`"
+                    );
                 }
                 write!(f, "write ")?;
                 match home {
@@ -279,6 +282,12 @@ impl Display for GrammarFact {
             GrammarFact::RustConstant { written, instead } => {
                 write!(f, "`{written}` is a constant of Rust\nhelp: write `{instead}`")
             }
+            GrammarFact::UnknownBodyItem { word, is_point: true } if ["position", "orientation"].contains(&word.as_str()) => {
+                write!(f, "`{word}` is no item of a body\nhelp: write `start {word} = …;` for about where the body is at t = 0")
+            }
+            GrammarFact::UnknownBodyItem { word, is_point: true } if ITEMS.contains(&word.as_str()) => {
+                write!(f, "`{word}` is no item of a body\nhelp: it stands in the mechanism: move it out of the body")
+            }
             GrammarFact::UnknownBodyItem { word, is_point: true } => {
                 write!(f, "`{word}` is no item of a body")?;
                 match crate::words::nearest(word, ["mass", "center", "inertia"].into_iter()) {
@@ -302,6 +311,9 @@ impl Display for GrammarFact {
                 }
                 let near = crate::words::nearest(word, BODY_ITEMS.into_iter());
                 write!(f, "{}", did_you_mean(&near))?;
+                if ["density", "material"].contains(&word.as_str()) {
+                    write!(f, "\nhelp: write the mass, a density times a volume, as in `mass = 2kg;`")?;
+                }
                 if near.is_none() && ["length", "width", "height", "size", "radius"].contains(&word.as_str()) {
                     write!(f, "\nhelp: a body is as large as its points say, such as `point end = (300mm, 0mm);`")?;
                 }

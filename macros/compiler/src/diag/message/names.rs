@@ -161,7 +161,10 @@ impl Display for NameFact {
                     Some(Home::Drive(call)) => write!(f, "\nhelp: write `drive name = {call};`"),
                     Some(Home::Force(call)) => write!(f, "\nhelp: write `force name = {call};`"),
                     Some(Home::Equation) => write!(f, "\nhelp: write its equation, `{{ lhs == rhs; }}`"),
-                    Some(Home::Nothing) => write!(f, "\nhelp: take it away: a body that no joint holds moves freely"),
+                    Some(Home::Nothing) => write!(
+                        f,
+                        "\nhelp: take it away: a body that no joint holds moves freely, with `freedom p = body.position; freedom q = body.angle;`, in space `body.angular_velocity`"
+                    ),
                     Some(Home::Body) => {
                         write!(f, "\nhelp: declare `body {name} {{ … }}` and join it to others; `distance(P, Q, c)` is a rod without mass")
                     }
