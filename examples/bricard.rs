@@ -149,7 +149,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         assert_angles(&m, state);
         assert_bearings(&m, state);
         let energy = m.energy(state);
-        assert!((energy.kinetic + energy.potential - start).abs() < 1e-11, "{energy:?} at {} s", state.t);
+        assert!((energy.total() - start).abs() < 1e-11, "{energy:?} at {} s", state.t);
     }
     let half = half_period();
     let turns = turns(&m)?;

@@ -61,7 +61,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     modes()?;
     let double = Double::default();
     let states = double.sweep(steps(0.0, DRAWN, 600), Integrator::new(1e-10)).collect::<Result<Vec<_>, _>>()?;
-    let energies: Vec<f64> = states.iter().map(|state| double.energy(state)).map(|energy| energy.kinetic + energy.potential).collect();
+    let energies: Vec<f64> = states.iter().map(|state| double.energy(state)).map(|energy| energy.total()).collect();
     // From rest: −m g (2 l cos φ₁ + l cos φ₂)
     let first = -GRAVITY * (2.0 * double.first.cos() + double.second.cos());
     let drift = largest_difference(energies.into_iter().map(|energy| (energy, first)));
@@ -73,7 +73,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .trace("path of the end", |state| double.end(state).value)
         .plot("kinetic energy", "J", |state| double.energy(state).kinetic)
         .and("potential energy", |state| double.energy(state).potential)
-        .and("sum", |state| double.energy(state).kinetic + double.energy(state).potential)
+        .and("sum", |state| double.energy(state).total())
         .against("at rest", move |_| first);
     show("pendulums", &view, 50, &[0, 100])
 }

@@ -67,7 +67,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         assert!((axis - Vector3::new(sin, 0.0, cos)).norm() < 1e-7, "{axis}");
     }
     let (coin, curl) = curl()?;
-    let energies = curl.iter().map(|state| coin.energy(state)).map(|energy| energy.kinetic + energy.potential);
+    let energies = curl.iter().map(|state| coin.energy(state)).map(|energy| energy.total());
     let (least, most) = energies.fold((f64::INFINITY, 0.0_f64), |(least, most), energy| (least.min(energy), most.max(energy)));
     println!("a coin that curls keeps {most:.6} J within {:.1e} J", most - least);
     assert!(most - least < 1e-8 * most);
@@ -79,7 +79,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .plot("lean", "°", |state| state.coin().rotation[(2, 2)].acos().to_degrees())
         .plot("kinetic energy", "J", |state| coin.energy(state).kinetic)
         .and("potential energy", |state| coin.energy(state).potential)
-        .and("their sum", |state| coin.energy(state).kinetic + coin.energy(state).potential);
+        .and("their sum", |state| coin.energy(state).total());
     show("rolling_coin", &view, 0, &[50, 100, 150, 200, 250, 300, 350, 400])
 }
 

@@ -196,7 +196,7 @@ fn compare(m: &Corner, linear: &Linear) -> Result<f64, Box<dyn Error>> {
 /// Two seconds of motion, with the work of road and damper compared with kinetic and potential energy.
 fn drive(m: &Corner) -> Result<Vec<State>, Box<dyn Error>> {
     let (mut state, mut integrator) = (m.initial_state()?, Integrator::new(1e-11));
-    let total = |state: &State| m.energy(state).kinetic + m.energy(state).potential;
+    let total = |state: &State| m.energy(state).total();
     let (mut states, mut work, start) = (vec![state.clone()], 0.0, total(&state));
     let times: Vec<f64> = steps(0.0, 2.0, 500).collect();
     for panel in times.windows(2) {

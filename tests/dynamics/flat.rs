@@ -72,7 +72,7 @@ macro_rules! keeps_its_energy {
     ($mechanism:ident, $times:expr) => {{
         let mechanism = $mechanism::default();
         let first = mechanism.initial_state().expect("a start");
-        let total = |state: &_| mechanism.energy(state).kinetic + mechanism.energy(state).potential;
+        let total = |state: &_| mechanism.energy(state).total();
         // Relative to 10 J, about the work of gravity.
         let energy = total(&first);
         let off = |state: &_| (total(state) - energy).abs() / 10.0;

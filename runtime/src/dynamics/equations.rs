@@ -154,3 +154,11 @@ pub struct Energy<T> {
     /// on time or on inputs. That of gravity is in the potential energy, that of drives in the loads.
     pub power: T,
 }
+
+impl<T: Scalar> Energy<T> {
+    /// Kinetic and potential energy, in J: constant as long as drives and forces without a potential do no work.
+    #[must_use]
+    pub fn total(&self) -> T {
+        self.kinetic + self.potential
+    }
+}
