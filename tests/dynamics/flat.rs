@@ -146,6 +146,9 @@ fn beside_the_place_where_bars_are_in_line_accelerations_keep_digits_or_are_refu
             let mut state = mechanism.initial_state().expect("a start");
             let event = |state: &PendulumState| state.a().angle - (PI - beside);
             let found = mechanism.advance_until(&mut state, 1.0, &mut Integrator::new(1e-10), event);
+            if let Ok(is_found) = found {
+                assert!(is_found && (state.a().angle - (PI - beside)).abs() < 1e-9, "{beside:e}: {}", state.a().angle);
+            }
             check(found.map(|_| state), beside);
         }
     }

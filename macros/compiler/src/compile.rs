@@ -166,7 +166,7 @@ fn rooms(tree: &ast::Mechanism, definitions: import::Definitions, diag: &mut Dia
     model.doubts.extend(hints::doubtful_shapes(tree));
     // Every name is an id, every quantity has a dimension.
     let mut doubts = model.doubts.clone();
-    // Where nothing fails, a start may simply not be declared.
+    // Told beside errors only: without a declared start two axes may lie in line by chance.
     doubts.extend(shafts_for_arms(&model));
     let compiled = after_names(model, diag);
     if compiled.is_none() {

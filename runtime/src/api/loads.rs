@@ -140,7 +140,7 @@ pub struct DriveLoad<T> {
 /// known to √ε.
 const DEPENDENT: f64 = 4e-8;
 
-/// The same fraction in ε, where it is larger.
+/// The least such fraction, in ε.
 const ROUNDED: f64 = 16.0;
 
 /// An entry of a vector of the null space counts as zero up to this size.

@@ -215,7 +215,7 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     /// this place: those of q are known to κ² ε, of q̇ to κ³ ε, of q̈ to κ⁴ ε.
     ///
     /// # Errors
-    /// If the state does not belong to this mechanism, or Φ_q is singular there, or so nearly that no digits are left: κ is ε^(−1/4) or more,
+    /// If the state does not belong to this mechanism, or Φ_q is singular there, or so nearly that those of q̈ have no digits: κ is ε^(−1/4) or more,
     /// 8192 (54 in single precision).
     #[allow(clippy::type_complexity, reason = "a mechanism and its state, over numbers with derivatives")]
     #[inline]

@@ -5,7 +5,6 @@ use super::looks::{LOOKS, Looks, changes};
 use super::method::Method;
 use super::project::Reached;
 use super::quintic::between;
-use super::rank::is_sharp_at;
 use super::step::land;
 use super::stopped::Stopped;
 use crate::number::Scalar;
@@ -87,7 +86,6 @@ where
         }
         if changes(before.1, after.1) {
             let found = locate::<K, T, S, N, I, M, R>(mechanism, from, (before, after), (whole, &exactly), event, tolerance)?;
-            is_sharp_at(mechanism, &found.q, found.t)?;
             return Ok(Some(found));
         }
         low = *high;

@@ -11,7 +11,7 @@ use super::jump::no_speed_jumps;
 use super::method::Method;
 use super::places::{largest, picked};
 use super::project::Reached;
-use super::rank::{is_sharp, keeps_rank, too_short};
+use super::rank::{is_sharp, is_sharp_at, keeps_rank, too_short};
 use super::step::{INSTANT, error, is_instant, land};
 use super::stiff::Stiff;
 use super::stopped::Stopped;
@@ -188,18 +188,23 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
         S: Dynamics<T, N, I, M, R>,
     {
         self.begin(mechanism, state, t)?;
-        let (mut reached, mut end, mut approaches) = (None, t, 0);
+        let (mut reached, mut end, mut approaches, mut locked) = (None, t, 0, None);
         for _ in 0..self.most {
             if state.t == t {
                 return Ok(false);
             }
             let (next, _, jumps) = match self.stepped(mechanism, state, &mut reached, end) {
                 // An event before joints lock is found.
-                Err(Stopped::Singular { time, .. }) if approaches < APPROACHES && time != state.t => {
-                    (end, approaches) = (state.t + T::of(NEARLY) * (time - state.t), approaches + 1);
+                Err(stopped @ Stopped::Singular { time, .. }) if approaches < APPROACHES => {
+                    end = state.t + T::of(NEARLY) * (time - state.t);
+                    if end == state.t {
+                        return Err(locked.unwrap_or(stopped));
+                    }
+                    (approaches, locked) = (approaches + 1, Some(stopped));
                     continue;
                 }
-                stepped => stepped?,
+                // The place is known best from the last step that led across it.
+                stepped => stepped.map_err(|stopped| locked.unwrap_or(stopped))?,
             };
             end = t;
             let (between, tolerance) = ((&*state, &next, self.stopped), (self.tolerance, self.fastest));
@@ -213,6 +218,7 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
                 (None, jumps) => jumps?,
                 (Some(found), Err(jump)) if is_after(&jump, &found) => return Err(jump),
                 (Some(found), _) => {
+                    is_sharp_at(mechanism, &found.q, found.t)?;
                     self.stopped = Some((found.t, event(&found)));
                     *state = found;
                     return Ok(true);

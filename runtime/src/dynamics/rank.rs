@@ -135,14 +135,14 @@ where
 /// Below this fraction of the natural size of its row, a pivot may belong to dependent equations.
 const SUSPECT: f64 = 1e-4;
 
-/// Pivots that were chosen at a configuration close by are at least so much better than those here.
+/// Pivots that were chosen at a configuration close by are at most this many times better than those here.
 const BETTER: f64 = 4.0;
 
 /// Times √ε: if a smaller fraction of a row is independent of the others, rounding chooses the branch. Within √ε of a crossing of two branches
 /// the motion may follow either.
 const FLAT: f64 = 100.0;
 
-/// If a smaller fraction p of a row is independent of the others, accelerations have lost their digits: positions are known to ε / p, speeds to
+/// If a smaller fraction p of a row is independent of the others, accelerations have lost most of their digits: positions are known to ε / p, speeds to
 /// ε / p², accelerations to ε / p³.
 const BLURRED: f64 = 4.8e-5;
 

@@ -7,8 +7,8 @@ pub(crate) const LONGEST_STEP: f64 = 0.5;
 /// and each is known to about ε times the condition.
 pub(crate) const WELL_CONDITIONED: f64 = 0.125;
 
-/// From this condition κ on, accelerations near a change point have lost their digits: they are known to κ³ ε. In single precision other limits are
-/// lower.
+/// From this condition κ on, accelerations near a change point have lost most of their digits: they are known to κ³ ε. In single precision other limits
+/// are lower.
 pub(crate) const BLURRED: f64 = 2e4;
 
 /// Longest predicted change, scaled; an eighth of a turn, so that solutions a whole turn apart cannot be confused.

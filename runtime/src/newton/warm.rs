@@ -215,10 +215,10 @@ fn is_found<T: SimdReal>(length: T, next: T, condition: T, effect: T) -> T::Mask
     is_short.and(is_last).and((condition * T::ROOT_EPSILON).at_most(T::of(WELL_CONDITIONED)))
 }
 
-/// Whether accelerations keep digits: near a change point, which is left to a cold start, the condition is the inverse of the distance from it. Where it
-/// is large throughout, it is not.
+/// Whether accelerations keep digits: near a change point, which is left to a cold start, the condition is the inverse of the distance from it. Where the
+/// condition is large throughout, no change point is near.
 ///
-/// * `before`, `condition`: given, before the step and after it.
+/// * `before`, `condition`: given, that of the state before the step, and that of the block after it.
 /// * `way`: given, scaled length of the step.
 #[cold]
 #[inline(never)]

@@ -76,7 +76,7 @@ pub(crate) fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usiz
 ) -> Result<(), Ended<T, N>> {
     let mechanism = Followed::new(&equations);
     let arrival = advance(&mechanism, state, t)?;
-    // In single precision accelerations have lost their digits before a change point is near.
+    // In single precision too many states would have to be refined.
     let from = if E::IS_REDUNDANT { largest_alone() } else { T::of(BLURRED) };
     let may_be_sharp = E::IS_REDUNDANT || T::EPSILON < T::of(FINE);
     if may_be_sharp && matches!(arrival, Arrival::Step) && state.condition > from {
@@ -93,7 +93,7 @@ enum Arrival {
     Crossing,
 }
 
-/// The same, for any mechanism with this number of coordinates, without the digits that redundant equations give beside a change point.
+/// The same, for any mechanism with this number of coordinates, without the digits that states on both sides of a change point give.
 ///
 /// # Errors
 /// Where and why the branch could not be followed.
@@ -114,7 +114,7 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
     let given = || (state.clone(), true);
     let (mut here, fits) = seated.map_or_else(|_| given(), |(seated, off)| if is_solved { (seated, off.is_none()) } else { given() });
     // Next to a crossing the state has digits that it would not have by itself.
-    if is_solved && crossing::is_close(state) && state.parameter_hash == mechanism.parameter_hash {
+    if is_solved && crossing::is_close(state) && !state.was_changed() && state.parameter_hash == mechanism.parameter_hash {
         here = state.clone();
     }
     // Why there was no state at `t`, as far as a redundant equation is to blame.

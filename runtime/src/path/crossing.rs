@@ -64,7 +64,7 @@ const REACH: f64 = 4.0;
 /// The state behind a change point, no further from it than `waypoint`, on the smooth continuation of the branch; if `t` is the
 /// change point itself, the state there. None if the branch has no smooth continuation.
 ///
-/// * `waypoint`: given, a state before the change point, well conditioned.
+/// * `waypoint`: given, a state before the change point, well conditioned unless the motion began next to it.
 /// * `here`: given, the last state before it.
 /// * `t`: given, s, the time to be reached: at the change point, or behind it.
 pub(crate) fn cross<T: Float, const N: usize>(
@@ -88,9 +88,9 @@ pub(super) fn is_close<T: Float, const N: usize>(state: &State<T, N>) -> bool {
     state.condition >= close()
 }
 
-/// The same for a motion that began next to the change point, at `first`: from a state farther away.
+/// As [`cross`], for a motion that began next to the change point, at `first`: from a state farther away.
 fn from_beside<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, first: &State<T, N>, t: T) -> Option<State<T, N>> {
-    // The condition of a state that was extrapolated is not that of its place.
+    // The condition of a state that was extrapolated differs from that at its place.
     let other = neighbour(mechanism, first)?;
     let next = step(mechanism, &other, other.t + (other.t - first.t), false)?;
     let waypoint = away(mechanism, next, &other)?;
@@ -103,7 +103,7 @@ pub(super) fn is_clear<T: Float, const N: usize>(state: &State<T, N>) -> bool {
     state.condition <= greater(T::of(CLEAR) / T::ROOT_EPSILON.sqrt(), T::of(LEAST_CLEAR))
 }
 
-/// The same, once it is known where the change point is.
+/// As [`cross`], once it is known where the change point is.
 fn towards<T: Float, const N: usize>(
     mechanism: &Followed<'_, T, N>,
     waypoint: &State<T, N>,
@@ -219,9 +219,10 @@ fn beside<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &State
 fn neighbour<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &State<T, N>) -> Option<State<T, N>> {
     let speed = mechanism.scale().norm(&here.qd);
     let mut brief = T::of(BRIEF) / (here.condition * speed);
-    while brief * speed < T::of(BRIEF) / between() {
-        let found = [here.t - brief, here.t + brief].into_iter().find_map(|t| step(mechanism, here, t, false));
-        if found.is_some() {
+    for _ in 0..MOST_TRIALS {
+        let times = [here.t - brief, here.t + brief].into_iter().filter(|t| *t != here.t);
+        let found = times.into_iter().find_map(|t| step(mechanism, here, t, false));
+        if found.is_some() || brief * speed >= T::of(BRIEF) / between() {
             return found;
         }
         brief = brief * T::of(CLOSER);
@@ -246,8 +247,7 @@ fn approached<T: Float, const N: usize>(
     Some([last, closest])
 }
 
-/// A well conditioned state on the way from `here`, which is next to a crossing, to `waypoint` and beyond; None if the condition does not decrease
-/// there.
+/// A well conditioned state on the line from `here`, which is next to a crossing, through `waypoint`; None if the condition does not decrease along it.
 fn away<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, mut waypoint: State<T, N>, here: &State<T, N>) -> Option<State<T, N>> {
     for _ in 0..MOST_STEPS {
         if waypoint.condition <= between() {

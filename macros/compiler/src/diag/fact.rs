@@ -73,7 +73,7 @@ families! {
 }
 
 impl Fact {
-    /// The array of which an element is used that is not there.
+    /// The array whose missing element is used.
     pub(super) fn element_missing(&self) -> Option<&str> {
         match self {
             Fact::InInstance { fact, .. } | Fact::Noted { fact, .. } => fact.element_missing(),

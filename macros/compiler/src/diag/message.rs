@@ -191,10 +191,7 @@ impl fmt::Display for Doubt {
                 )
             }
             Doubt::NegativeCoefficient { written, .. } => {
-                write!(
-                    f,
-                    "`{written}` pushes away from the length at rest\nhelp: take the minus away, or name the number with `let` if it is meant"
-                )
+                write!(f, "`{written}` pushes away from rest\nhelp: take the minus away, or name the number with `let` if it is meant")
             }
             Doubt::TurnsAsSpeed { written, in_rpm } => {
                 write!(
@@ -249,10 +246,10 @@ fn as_seen_inside(place: &str, help: &str) -> String {
             seen = seen.replace(&format!("{before}{prefix}."), before);
         }
     }
-    for clause in place.split("here ").skip(1).flat_map(|clauses| clauses.split(" and ")) {
-        if let Some((name, value)) = clause.trim_matches(['`', ',']).split_once("` is ") {
-            seen = seen.replace(&format!("[{value}]"), &format!("[{name}]"));
-        }
+    // Of several variables the values may be the same.
+    let clause = place.split_once("here `").map(|(_, clause)| clause).filter(|clauses| !clauses.contains(" and "));
+    if let Some((name, value)) = clause.and_then(|clause| clause.split_once("` is ")) {
+        seen = seen.replace(&format!("[{value}]"), &format!("[{name}]"));
     }
     seen
 }

@@ -141,7 +141,8 @@ impl Diag {
     pub(crate) fn explain(&mut self, doubts: &[Warning]) {
         if let Some(Warning { doubt, .. }) = doubts.iter().find(|warning| matches!(warning.doubt, Doubt::ShaftsForArms { .. })) {
             for refusal in &mut self.refusals {
-                if matches!(refusal.fact, Fact::System(_)) {
+                let Doubt::ShaftsForArms { joint } = doubt else { continue };
+                if matches!(refusal.fact, Fact::System(_)) && refusal.fact.to_string().contains(&format!("`{joint}")) {
                     refusal.fact = Fact::Doubtful { fact: Box::new(refusal.fact.clone()), doubt: Box::new(doubt.clone()) };
                 }
             }

@@ -31,14 +31,13 @@ pub(super) fn of_kind(wanted: &Wanted, found: &Kind, ambient: Ambient) -> &'stat
         {
             "\nhelp: in the plane, angles are those of bodies: write `body.angle`, or a difference of two"
         }
-        (Wanted::VectorOrPoint | Wanted::NumberOrVector | Wanted::Number | Wanted::NumberVectorOrPoint, Kind::JointOf(kind)) => {
-            match kind.as_str() {
-                "revolute" | "universal" => "\nhelp: write `joint.angle`",
-                "translational" => "\nhelp: write `joint.displacement`",
-                "cylindrical" | "screw" => "\nhelp: write `joint.angle` or `joint.displacement`",
-                _ => "",
-            }
-        }
+        (Wanted::NumberOrVector | Wanted::Number | Wanted::NumberVectorOrPoint, Kind::JointOf(kind)) => match kind.as_str() {
+            "revolute" => "\nhelp: write `joint.angle`",
+            "universal" => "\nhelp: write `joint.angle_a` or `joint.angle_b`",
+            "translational" => "\nhelp: write `joint.displacement`",
+            "cylindrical" | "screw" => "\nhelp: write `joint.angle` or `joint.displacement`",
+            _ => "",
+        },
         (Wanted::Number | Wanted::NumberOrVector, Kind::Joint) => "\nhelp: what it was made with has values, as in `joint.P`",
         (Wanted::Function, Kind::Number) => "\nhelp: a product is written with `*`",
         (Wanted::VectorOrPoint | Wanted::Vector, Kind::Number) if is_plane => "\nhelp: write both components, `(x, y)`",

@@ -175,16 +175,17 @@ fn turns_as_speed(value: &Expression) -> Option<Warning> {
     };
     let (size, dim) = quantity::unit(unit)?;
     let per_minute = 60.0 * above.parse::<f64>().ok()? / (digits.parse::<f64>().ok()? * size.to_f64());
-    let doubt = Doubt::TurnsAsSpeed { written: value.to_string(), in_rpm: format!("{per_minute}rpm") };
-    (none.is_empty() && dim == Dim::TIME).then_some(Warning { doubt, range: value.range })
+    let rounded = (per_minute * 1e6).round() / 1e6;
+    let doubt = Doubt::TurnsAsSpeed { written: value.to_string(), in_rpm: format!("{rounded}rpm") };
+    (none.is_empty() && dim == Dim::TIME && rounded.is_finite()).then_some(Warning { doubt, range: value.range })
 }
 
 /// Doubts negative stiffnesses and dampings that are written out.
 fn negative_coefficients(item: &Item) -> Vec<Warning> {
-    const DAMPED: [&str; 7] = ["spring", "damper", "spring_damper", "torsion_spring", "torsion_damper", "torsion_spring_damper", "drag"];
+    const WITH_COEFFICIENTS: [&str; 6] = ["spring", "damper", "spring_damper", "torsion_spring", "torsion_damper", "torsion_spring_damper"];
     let Item::Force(force) = item else { return Vec::new() };
     let JointBody::Of { kind, arguments } = &force.body else { return Vec::new() };
-    if !DAMPED.iter().any(|known| kind == known) {
+    if !WITH_COEFFICIENTS.iter().any(|known| kind == known) {
         return Vec::new();
     }
     let doubt = |argument: &Argument| {

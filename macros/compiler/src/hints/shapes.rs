@@ -7,8 +7,8 @@ use super::is_zero;
 use crate::diag::{Doubt, Warning};
 use crate::syntax::ast::{Expression, ExpressionKind, FrameItem, Item, MassItem, Mechanism, every_item};
 
-/// Warnings about bodies with `inertia = rod(l)`, without `center`, and with a point at `(l, 0)`; about those with a point at `(0, l, 0)` or
-/// `(0, 0, l)`; about those with `inertia = disk(r)` and one axis, along x or y; and about points called `center`.
+/// Warnings about bodies with `inertia = rod(l)`, without `center`, and with a point at the distance l along x, in the plane also along y; in space
+/// about those with such a point along y or z; about those with `inertia = disk(r)` and one axis, along x or y; and about points called `center`.
 pub(crate) fn doubtful_shapes(tree: &Mechanism) -> Vec<Warning> {
     let body = |item: &Item| if let Item::Body(body) = item { of_body(body) } else { None };
     let all = every_item(&tree.items);

@@ -54,10 +54,12 @@ impl Contenders<'_> {
     }
 
     fn coordinates(&self, unknowns: &BTreeSet<usize>) -> Vec<String> {
-        unknowns.iter().map(|unknown| self.system.name(self.model, *unknown)).collect()
+        let mut names: Vec<String> = unknowns.iter().map(|unknown| self.system.name(self.model, *unknown)).collect();
+        names.dedup();
+        names
     }
 
-    /// What is left free, as a drive could prescribe it.
+    /// The coordinates that are left free, as a drive could prescribe them.
     fn drivable(&self) -> Vec<String> {
         let free: Vec<usize> = self.free.iter().copied().collect();
         driven(self.model, self.system, &free)

@@ -18,6 +18,13 @@ pub(crate) fn fitted(arena: &Arena, definition: &Definition, values: &[Value]) -
 /// something else is missing. `given`: each argument with the number of its parameter.
 pub(crate) fn completed(definition: &Definition, given: &[(usize, String)], ambient: Ambient) -> Option<String> {
     let mut written: Vec<(bool, String)> = Vec::new();
+    let bodies = definition.parameters.iter().enumerate().filter(|(_, formal)| matches!(formal.kind, FormalKind::Body));
+    let bodies: Vec<usize> = bodies.map(|(index, _)| index).collect();
+    let missing = bodies.iter().filter(|index| given.iter().all(|(place, _)| place != *index)).count();
+    // Ground stands beside the one that is there.
+    if missing > 1 || missing == 1 && !matches!(bodies.as_slice(), [one, two] if one + 1 == *two) {
+        return None;
+    }
     for (index, formal) in definition.parameters.iter().enumerate() {
         let is_body = matches!(formal.kind, FormalKind::Body);
         match (given.iter().find(|(place, _)| *place == index), &formal.kind) {

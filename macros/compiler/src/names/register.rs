@@ -64,7 +64,11 @@ pub(crate) struct Written<'a> {
 
 /// The error for a name that is taken, possibly by an item of the same sort in the loops around it. `indices`: as written.
 pub(crate) fn duplicate(name: String, first: &'static str, loops: &[(String, Value)], indices: &[ast::Expression]) -> Fact {
-    let is_written = |variable: &str| indices.iter().any(|index| index.to_string().contains(variable));
+    let words = |index: &ast::Expression| {
+        index.to_string().split(|letter: char| !letter.is_alphanumeric() && letter != '_').map(str::to_owned).collect()
+    };
+    let written: Vec<String> = indices.iter().flat_map(|index| -> Vec<String> { words(index) }).collect();
+    let is_written = |variable: &String| written.contains(variable);
     match (loops.last(), indices.last()) {
         (Some(_), Some(index)) if loops.iter().all(|(variable, _)| is_written(variable)) => {
             ArrayFact::DeclaredBefore { name, next: format!("[{index} + 1]") }.into()

@@ -341,7 +341,7 @@ impl Elaborator<'_> {
             return self.refuse(path.range, NameFact::PointInBody { name });
         }
         let near = self.similar(name, scope);
-        // `m` is near to `mm`.
+        // A shorter name is no likelier than a unit: `m` resembles `mm`.
         if near.as_ref().is_none_or(|near| near.len() < name.to_string().len()) && quantity::unit(&name.to_string()).is_some() {
             return self.refuse(path.range, NameFact::UnitAlone { name: name.to_string() });
         }

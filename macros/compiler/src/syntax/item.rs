@@ -13,6 +13,7 @@ use super::options::{Options, options, passing, velocity};
 use super::output::output;
 use super::repeated::{component, part, repeated_items};
 use super::salvage;
+use super::slip::constant_of_rust;
 use super::tokens::{
     Parsed, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, mentions_masses, name, name_before_block,
     parentheses, path, report, semicolon, skip_item, skip_to_block, visibility, wrong,
@@ -319,9 +320,8 @@ fn uses(input: ParseStream) -> Parsed<Vec<Use>> {
 fn renamed(input: ParseStream, path: super::ast::Path) -> Parsed<Use> {
     let first = path.tokens.clone().into_iter().next().map_or(String::new(), |word| word.to_string());
     if ["std", "core", "libm"].contains(&first.as_str()) {
-        let constant = [("PI", "pi"), ("TAU", "2 * pi"), ("E", "exp(1)")].into_iter().find(|(name, _)| path.last == name);
-        if let Some((_, instead)) = constant {
-            let flaw = "constants of Rust are not brought in: take this away";
+        if let Some(instead) = constant_of_rust(&path) {
+            let flaw = "constants need no `use`: take it away";
             return wrong(path.range, GrammarFact::Misspelt { flaw, instead: instead.to_owned() });
         }
         let flaw = "`use` brings in constraints, forces, functions and components; functions of numbers stand by themselves";
@@ -391,7 +391,9 @@ fn no_drive(input: ParseStream, name: &Ident) -> Parsed<()> {
     let call = ahead.parse::<Token![=]>().ok().and_then(|_| ahead.parse::<Ident>().ok()).filter(|_| ahead.peek(token::Paren));
     match call.filter(|call| call.to_string().starts_with("drive_")) {
         Some(call) => {
-            let instead = format!("input {name}: Angle; drive d = {call}(…, {name});");
+            let is_angle = ["angle", "rotation"].iter().any(|word| call.to_string().contains(word));
+            let dimension = if is_angle { "Angle" } else { "Length" };
+            let instead = format!("input {name}: {dimension}; drive d = {call}(…, {name});");
             wrong(input.span(), GrammarFact::Misspelt { flaw: "an input is a quantity, which a drive may follow", instead })
         }
         None => Ok(()),

@@ -75,11 +75,16 @@ pub(super) fn no_parentheses(input: ParseStream) -> Parsed<()> {
     }
 }
 
+/// The same as a constant of Rust, as it is written here.
+pub(super) fn constant_of_rust(path: &Path) -> Option<&'static str> {
+    let constants = [("PI", "pi"), ("TAU", "2 * pi"), ("E", "exp(1)")];
+    constants.iter().find(|(name, _)| path.name.is_none() && path.last == name).map(|(_, instead)| *instead)
+}
+
 /// Refuses `std::f64::consts::PI`.
 pub(super) fn no_constant(path: &Path) -> Parsed<()> {
-    let constants = [("PI", "pi"), ("TAU", "2 * pi"), ("E", "exp(1)")];
-    match constants.iter().find(|(name, _)| path.name.is_none() && path.last == name) {
-        Some((_, instead)) => {
+    match constant_of_rust(path) {
+        Some(instead) => {
             let written = path.tokens.to_string().replace(' ', "");
             wrong(path.range, GrammarFact::RustConstant { written, instead })
         }
@@ -87,7 +92,7 @@ pub(super) fn no_constant(path: &Path) -> Parsed<()> {
     }
 }
 
-/// Refuses `value if a < b else other`, as it is written in Python, and `a < b ? value : other`, as in C.
+/// Refuses `value if a < b else other`, as it is written in Python.
 pub(super) fn no_choice_behind(input: ParseStream, value: &Expression, room: u16) -> Parsed<()> {
     if !input.peek(Token![if]) {
         return Ok(());
@@ -135,6 +140,10 @@ pub(super) fn each_index_by_itself(content: ParseStream, first: &Expression, roo
 /// Refuses `(200, 0)mm`.
 pub(super) fn no_common_unit(input: ParseStream, items: &[Expression], range: Range) -> Parsed<()> {
     let Some(unit) = keyword(input).filter(|word| is_unit(input) && quantity::unit(&word.to_string()).is_some()) else { return Ok(()) };
+    let is_measured = |item: &Expression| matches!(&item.kind, ExpressionKind::Number { unit, .. } if !unit.is_empty());
+    if items.iter().any(is_measured) {
+        return Ok(());
+    }
     let measured = |item: &Expression| match &item.kind {
         ExpressionKind::Number { .. } => format!("{item}{unit}"),
         _ => format!("({item}) * 1{unit}"),

@@ -162,7 +162,7 @@ crate::refusals! {
     item choice_by_match: "drive d = drive_angle(crank, «match» t { _ => 1rad });" => "expected an expression, found `match`\nhelp: choose by `if a < b { x } else { y }`";
     item function_of_a_module: "output b = «np.sin»(crank.angle / 2);" => "functions stand by themselves\nhelp: write `sin(crank.angle / 2)`";
     item remainder_as_a_function: "output b = «mod»(crank.angle, 2);" => "no function is called `mod`: it jumps, where no derivative exists\nhelp: write `wrap(x)` for an angle within half a turn, or a law that repeats, such as `segments(…, periodic)`";
-    item constant_brought_in: "use «std::f64::consts::PI»;" => "constants of Rust are not brought in: take this away\nhelp: write `pi`";
+    item constant_brought_in: "use «std::f64::consts::PI»;" => "constants need no `use`: take it away\nhelp: write `pi`";
     item function_of_rust_brought_in: "use «libm::sqrt»;" => "`use` brings in constraints, forces, functions and components; functions of numbers stand by themselves\nhelp: write `sqrt(…)`";
     item two_indices_in_one: "body b[«0, 1»] {}" => "each index has brackets of its own\nhelp: write `[0][1]`";
     item vector_without_a_comma: "output b = [100mm «0mm»];" => "expected `,` or the end of the list, found `0mm`\nhelp: write `,` between two values";
@@ -170,6 +170,7 @@ crate::refusals! {
     item loop_over_a_name: "for b in «bars» { drive d = drive_angle(b, 1rad); }" => "a loop counts whole numbers\nhelp: write `for i in 0..3 { … bars[i] … }`";
     item loop_as_in_python: "for i in «range»(3) { body b[i] {} }" => "a loop counts whole numbers\nhelp: write `for i in 0..3`";
     item loop_as_in_python_from_one: "for i in «range»(1, 3) { body b[i] {} }" => "a loop counts whole numbers\nhelp: write `for i in 1..3`";
+    item input_as_a_drive_of_a_place: "input m «=» drive_x(crank.A, 1mm);" => "an input is a quantity, which a drive may follow\nhelp: write `input m: Length; drive d = drive_x(…, m);`";
     item input_as_a_drive: "input m «=» drive_angle(crank, 1rad);" => "an input is a quantity, which a drive may follow\nhelp: write `input m: Angle; drive d = drive_angle(…, m);`";
     item unit_behind_a_vector: "body b { point P = «(200, 3 * 2)mm»; }" => "each number has a unit of its own\nhelp: write `(200mm, (3 * 2) * 1mm)`";
     item kind_before_the_name: "joint «revolute» main(ground.O, crank.O);" => "the name comes first, and the kind behind `=`\nhelp: write `joint main = revolute(…);`";

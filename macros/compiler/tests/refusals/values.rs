@@ -35,7 +35,7 @@ crate::refusals! {
     item an_axis_at_infinity: "body b { axis u = «(1, tan(-270deg))»; }" => "a component of the axis is not a finite number";
     item a_default_at_infinity: "param a: Number = «tan(450deg)»;" => "the default is not a finite number";
     item point_that_moves: "body b { point P = «(crank.x, 0mm)»; }" => "a point or an axis may depend on parameters only, not on what moves\nhelp: what moves along a body is a body of its own";
-    item point_in_time: "body b { point P = (1mm / 1s * «t», 0mm); }" => "a point or an axis does not change with time: `t` cannot be used in it\nhelp: what moves is a body, by a `drive`";
+    item point_in_time: "body b { point P = (1mm / 1s * «t», 0mm); }" => "a point or an axis does not change with time: `t` cannot be used in it\nhelp: a body moves, by a `drive`";
     item start_in_time: "body b { start angle = speed * «t»; }" => "a start value does not change with time: `t` cannot be used in it";
     item start_that_moves: "body b { start angle = «crank.angle»; }" => "a start value may depend on parameters only, not on what moves\nhelp: write where it is about";
     item function_of_time: "function f(a: Angle) -> Length = 1mm / 1s * «t»;" => "a function of one variable does not change with time: `t` cannot be used in it";
@@ -299,7 +299,7 @@ fn expressions_that_are_often_meant_otherwise_are_doubted() {
     }
     let spring = |force: &str| plane(&format!("body c {{ point P = (1m, 0m); mass = 1kg; }} force k = {force};"));
     let meant = "help: take the minus away, or name the number with `let` if it is meant";
-    let pushes = format!("`-200N_m` pushes away from the length at rest\n{meant}");
+    let pushes = format!("`-200N_m` pushes away from rest\n{meant}");
     assert_eq!(spring("spring((5m, 0m), c.P, -200N_m, rest: 1m)"), [pushes.as_str()]);
     assert_eq!(spring("torsion_spring(ground, c, stiffness: -5Nm_rad, rest: 0deg)"), [pushes.replace("200N_m", "5Nm_rad")]);
     let damping = format!("`-3Ns_m` drives the motion instead of damping it\n{meant}");
@@ -386,10 +386,13 @@ fn shafts_for_the_arms_of_a_universal_joint_are_told() {
     let words: Vec<String> = refused.iter().map(|refusal| refusal.fact.message()).collect();
     assert!(words.iter().all(|words| words.contains(shafts)), "{words:?}");
     compile("arm", "arm", "turn((0, 0, 1), 20deg)").expect("a shaft with a bend");
-    // Of an open chain the words are others.
-    let open = source("arm", "arm", "turn((0, 0, 1), 20deg)").replace("joint seat = parallel_axes(ground.out, two.x);", "");
-    let refused = reuleaux_compiler::compile(open.parse().expect("tokens")).expect_err("two angles that nothing determines");
-    assert!(refused.iter().all(|refusal| !refusal.fact.message().contains(shafts)), "{refused:?}");
+    // An error about other joints keeps its help.
+    let other =
+        "body lever { } joint pivot = spherical(ground.position, lever.position); drive swing = drive_x(lever.position, 1m * t / 1s);";
+    let other = source("x", "x", "turn((0, 0, 1), 20deg)").replace("drive motor", &format!("{other} drive motor"));
+    let refused = reuleaux_compiler::compile(other.parse().expect("tokens")).expect_err("a ball that holds a place");
+    let told = refused.iter().filter(|refusal| refusal.fact.message().contains(shafts));
+    assert!(told.into_iter().all(|refusal| !refusal.fact.message().contains("lever")), "{refused:?}");
 }
 
 /// More than a turn of radians is rather one of degrees.

@@ -162,6 +162,9 @@ impl<T: Float, const P: usize, const N: usize> ColdStart<Gradient<T, P>, N> for 
         }
         let (phi, matrix) = evaluate(&place);
         let factors = L::factor(&matrix).map_err(|_| bad())?;
+        if !factors.is_regular() {
+            self.lost.set(block.equations.first().zip(block.unknowns.first()).map(|(row, unknown)| [*row, *unknown]));
+        }
         if !factors.is_regular() || self.condition >= lost() && self.loses(block, sizes, &factors) {
             return Err(bad());
         }

@@ -12,7 +12,7 @@ impl Display for EquationFact {
                 write!(f, "{place} does not change with time: `t` cannot be used in it")?;
                 match *place {
                     "the default of a parameter" => write!(f, "\nhelp: write `let name = …;` for a law"),
-                    "a point or an axis" => write!(f, "\nhelp: what moves is a body, by a `drive`"),
+                    "a point or an axis" => write!(f, "\nhelp: a body moves, by a `drive`"),
                     _ => Ok(()),
                 }
             }

@@ -95,7 +95,7 @@ impl Display for ValueFact {
             ValueFact::BareGains { action, one, two, numbers: [first, second] } => {
                 let units = if *one == Dim::ANGLE { ["Nm", "Nms"] } else { ["N_m", "Ns_m"] };
                 write!(f, "{}", ValueFact::Unlike { action, one: *one, two: *two }.to_string().lines().next().unwrap_or_default())?;
-                if ![first, second].iter().all(|number| number.starts_with(|letter: char| letter.is_ascii_digit())) {
+                if [first, second].iter().all(|factor| !factor.starts_with(|letter: char| letter.is_ascii_digit())) {
                     let of = if *one == Dim::ANGLE { "Torque" } else { "Force / Length" };
                     return write!(
                         f,
