@@ -220,8 +220,8 @@ fn neighbour<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &St
     let speed = mechanism.scale().norm(&here.qd);
     let mut brief = T::of(BRIEF) / (here.condition * speed);
     for _ in 0..MOST_TRIALS {
-        let times = [here.t - brief, here.t + brief].into_iter().filter(|t| *t != here.t);
-        let found = times.into_iter().find_map(|t| step(mechanism, here, t, false));
+        let found =
+            [here.t - brief, here.t + brief].into_iter().find_map(|t| if t == here.t { None } else { step(mechanism, here, t, false) });
         if found.is_some() || brief * speed >= T::of(BRIEF) / between() {
             return found;
         }
