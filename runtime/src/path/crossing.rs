@@ -220,8 +220,8 @@ fn neighbour<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &St
     let speed = mechanism.scale().norm(&here.qd);
     let mut brief = T::of(BRIEF) / (here.condition * speed);
     for _ in 0..MOST_TRIALS {
-        let found =
-            [here.t - brief, here.t + brief].into_iter().find_map(|t| if t == here.t { None } else { step(mechanism, here, t, false) });
+        let at = |t: T| if t == here.t { None } else { step(mechanism, here, t, false) };
+        let found = at(here.t - brief).or_else(|| at(here.t + brief));
         if found.is_some() || brief * speed >= T::of(BRIEF) / between() {
             return found;
         }
