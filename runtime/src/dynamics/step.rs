@@ -101,11 +101,16 @@ where
 {
     let computed = const { computed_angles::<N, I>(S::COORDINATES, &S::INTEGRATED) };
     let (half, twelfth) = (T::of(0.5), T::of(1.0 / 12.0));
-    (0..N).filter(|&i| computed[i]).any(|i| {
-        // Exact for a polynomial of the fourth degree.
-        let told = half * h * (from.qd[i] + to.qd[i]) + twelfth * h * h * (from.qdd[i] - to.qdd[i]);
-        (to.q[i] - from.q[i] - told).abs() > T::of(core::f64::consts::PI)
-    })
+    for (i, is_computed) in computed.iter().enumerate() {
+        if *is_computed {
+            // Exact for a polynomial of the fourth degree.
+            let told = half * h * (from.qd[i] + to.qd[i]) + twelfth * h * h * (from.qdd[i] - to.qdd[i]);
+            if (to.q[i] - from.q[i] - told).abs() > T::of(core::f64::consts::PI) {
+                return true;
+            }
+        }
+    }
+    false
 }
 
 /// For each coordinate, whether it is an angle that is not integrated.
