@@ -90,6 +90,8 @@ pub(crate) const BOTH: &str = "reuleaux, the state and its loads";
 pub(crate) const HAND: &str = "by hand, accelerations and loads";
 /// By hand, where all is driven.
 pub(crate) const HAND_DRIVEN: &str = "by hand, motion and loads";
+/// By hand, where all is driven, with what a state holds.
+pub(crate) const HAND_ANGLES: &str = "by hand, motion with angles, and loads";
 /// Where all is driven.
 pub(crate) const STEP: &str = "reuleaux, a step and its loads";
 /// Loads by hand.

@@ -6,7 +6,7 @@ use reuleaux::{Dynamics, SimdReal};
 use reuleaux_benches::multibody::forces::reaction;
 use reuleaux_benches::released::four_bar::{Driven, DrivenState, FourBar, FourBarState, GRAVITY, LENGTHS, model};
 
-use crate::case::{ACCELERATIONS, BOTH, Case, Entry, Given, HAND, HAND_DRIVEN, LOADS, STATES, STEP, exact_in};
+use crate::case::{ACCELERATIONS, BOTH, Case, Entry, Given, HAND, HAND_ANGLES, HAND_DRIVEN, LOADS, STATES, STEP, exact_in};
 
 /// Angles and speeds of the three bars.
 type Bars = [[f64; 3]; 2];
@@ -162,6 +162,11 @@ fn driven(t: f64) -> Turned {
     ([e2, e3], [w2, w3, a2, a3], pins, torque)
 }
 
+/// The accelerations, forces and torque that are compared.
+fn compared((_, [_, _, a2, a3], pins, torque): &Turned) -> Vec<f64> {
+    vec![*a2, *a3, pins[2].x, pins[2].y, *torque]
+}
+
 /// The moment that is reached from the state of this number: to and fro by the 256th part of a turn.
 fn moment(number: usize) -> [f64; 2] {
     [number, number + 1].map(|k| std::f64::consts::PI * k as f64 / STATES as f64)
@@ -185,11 +190,15 @@ pub(crate) fn turning() -> Case {
         exact: exact_in(1, exact),
         given: None,
         entries: vec![
+            Entry::new(HAND_DRIVEN, (0..STATES).map(|k| moment(k)[1]).collect(), |t| driven(*t), |_, found| compared(found)),
             Entry::new(
-                HAND_DRIVEN,
+                HAND_ANGLES,
                 (0..STATES).map(|k| moment(k)[1]).collect(),
-                |t| driven(*t),
-                |_, (_, [_, _, a2, a3], pins, torque)| vec![*a2, *a3, pins[2].x, pins[2].y, *torque],
+                |t| {
+                    let found = driven(*t);
+                    (found, found.0.map(|e| e.y.atan2(e.x)))
+                },
+                |_, (found, _)| compared(found),
             ),
             Entry::new(
                 STEP,

@@ -4,7 +4,7 @@ use reuleaux::{SimdReal, mechanism};
 use reuleaux_benches::multibody::forces::reaction;
 use reuleaux_benches::multibody::{Cut, Joint, Model};
 
-use crate::case::{Case, Entry, HAND_DRIVEN, STATES, STEP, exact_in};
+use crate::case::{Case, Entry, HAND_ANGLES, HAND_DRIVEN, STATES, STEP, exact_in};
 
 mechanism! {
     /// A slider-crank with masses.
@@ -77,6 +77,11 @@ fn model() -> Model {
     model
 }
 
+/// The accelerations, forces and torque that are compared.
+fn compared((rod, slider, pins, _, torque): &Found) -> Vec<f64> {
+    vec![rod[3], slider[2], pins[2][0], pins[2][1], *torque]
+}
+
 pub(crate) fn case() -> Case {
     let mechanism = SliderCrank::default();
     let solve = move |t: f64| mechanism.solve(t).unwrap_or_else(|failure| panic!("{failure}"));
@@ -94,11 +99,15 @@ pub(crate) fn case() -> Case {
         exact: exact_in(1, exact),
         given: None,
         entries: vec![
+            Entry::new(HAND_DRIVEN, (0..STATES).map(|k| moment(k)[1]).collect(), |t| driven(*t), |_, found| compared(found)),
             Entry::new(
-                HAND_DRIVEN,
+                HAND_ANGLES,
                 (0..STATES).map(|k| moment(k)[1]).collect(),
-                |t| driven(*t),
-                |_, (rod, slider, pins, _, torque)| vec![rod[3], slider[2], pins[2][0], pins[2][1], *torque],
+                |t| {
+                    let found = driven(*t);
+                    (found, found.0[0].atan2(found.0[1]))
+                },
+                |_, (found, _)| compared(found),
             ),
             Entry::new(
                 STEP,

@@ -46,7 +46,7 @@ codes! {
         Motion::PlaceWithoutAt Motion::StartWithEquals Motion::FreedomWithoutName Motion::DriveWithoutName Grammar::OneEqualsSign
         Grammar::HashComment Grammar::CommaAtEnd Grammar::DecimalComma Grammar::OutputWithoutName Grammar::OutputWithDimension
         Grammar::TwoConditions Grammar::ConditionInParentheses Grammar::NumberBeforeParentheses Grammar::OutputInUnit Grammar::ArrayOfDimension
-        Grammar::ComparisonOutside Grammar::ForceBeforePlace Grammar::StraySemicolon Grammar::Return Grammar::Misspelt Grammar::BoundsElsewhere;
+        Grammar::ComparisonOutside Grammar::ForceBeforePlace Grammar::StraySemicolon Grammar::BodyWithoutBraces Grammar::ParameterWithoutDimension Grammar::Return Grammar::Misspelt Grammar::BoundsElsewhere;
     E0002: Grammar::NotANumber;
     E0003: Grammar::TooDeep Grammar::TooLong Grammar::LongChain Grammar::PartsTooDeep;
     E0004: Grammar::Keyword;
@@ -80,7 +80,7 @@ codes! {
     E0116: Array::OutsideOfComponent;
     E0117: Name::OutputRead;
     // Arguments.
-    E0201: Arity::MissingArguments Arity::MissingAxes;
+    E0201: Arity::MissingArguments Arity::MissingMarks;
     E0202: Arity::TooManyArguments;
     E0203: Arity::UnknownArgument Array::ParameterAsArgument;
     E0204: Arity::DuplicateArgument;

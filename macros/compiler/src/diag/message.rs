@@ -226,6 +226,15 @@ impl fmt::Display for Doubt {
                 )?;
                 write!(f, "\nhelp: take a larger base circle or a longer rise")
             }
+            Doubt::GearsApart { joint, distance, needed, is_internal } => {
+                let how = if *is_internal { "differ by" } else { "add up to" };
+                write!(f, "the axes of the gears of `{joint}` are {distance} apart, and their radii {how} {needed}")?;
+                write!(f, "\nhelp: change a radius, or the place of an axis")
+            }
+            Doubt::RingInsideSun { joint, ring, sun } => {
+                write!(f, "the ring gear of `{joint}` ({ring}) is not larger than the sun gear inside it ({sun})")?;
+                write!(f, "\nhelp: the sun gear comes first, as in `z_sun: 20, z_ring: 60`")
+            }
             Doubt::MotionEnds(fact) => write!(f, "{fact}"),
             Doubt::UnusedImport { name } => write!(f, "nothing in this mechanism uses `{name}`\nhelp: remove `{name}` from `use`"),
         }

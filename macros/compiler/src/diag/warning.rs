@@ -174,6 +174,26 @@ pub enum Doubt {
         /// Radius of the roller, if there is one.
         roller: Option<String>,
     },
+    /// Gears are too far apart for their radii, or too close to each other.
+    GearsApart {
+        /// The joint.
+        joint: String,
+        /// Distance between their axes.
+        distance: String,
+        /// Distance that the radii demand.
+        needed: String,
+        /// True if one of them has its teeth inside.
+        is_internal: bool,
+    },
+    /// The ring gear of a planetary train is not larger than its sun gear.
+    RingInsideSun {
+        /// The joint.
+        joint: String,
+        /// Teeth or radius of the ring gear.
+        ring: String,
+        /// Teeth or radius of the sun gear.
+        sun: String,
+    },
     /// The motion ends before it has repeated itself as a whole.
     MotionEnds(Box<Fact>),
     /// Nothing is used of a definition or a bundle that `use` brings in. rustc's own lint would suggest to delete half of the item.
@@ -219,6 +239,8 @@ impl Warning {
             Doubt::PointCalledCenter { .. } => "point_called_center",
             Doubt::CenteredRod { .. } => "centered_rod",
             Doubt::Undercut { .. } => "undercut",
+            Doubt::GearsApart { .. } => "gears_apart",
+            Doubt::RingInsideSun { .. } => "ring_inside_sun",
             Doubt::MotionEnds(_) => "motion_ends",
             Doubt::UnusedImport { .. } => "unused_import",
         };

@@ -71,7 +71,7 @@ pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: 
     // What is wrong with a start or a motion may follow from a number without its unit.
     let is_sure = model.doubts.is_empty();
     let of_motion = assembly.warnings.iter().filter(|_| warns).chain(&motion.warning).filter(|_| is_sure);
-    let warnings = of_motion.chain(&motion.undercut).chain(&model.doubts).map(Warning::to_tokens);
+    let warnings = of_motion.chain(&motion.flaws).chain(&model.doubts).map(Warning::to_tokens);
     let state = (model.task.is_determined() || !model.outputs.is_empty()).then(|| state(model, system));
     let (drawable, listing, points, dynamics) = (emitter.drawable(), emitter.listing(), emitter.points(), emitter.dynamics());
     let (name, allowed, loads) = (&model.name, allowed_at_places(), emitter.loads());

@@ -7,6 +7,7 @@
 use super::freedoms::driven;
 use crate::diag::{Diag, Fact, MotionFact, SystemFact};
 use crate::model::{Model, Said};
+use crate::redundancy::free_beside;
 use crate::structure::{DmPart, Pattern, contending, maximum};
 use crate::system::System;
 use std::collections::{BTreeMap, BTreeSet};
@@ -90,7 +91,10 @@ fn joints_contend(view: &Contenders, joints: &[usize]) -> (usize, Fact) {
 /// The joints leave no motion for a freedom.
 fn freedom_is_held(view: &Contenders, freedom: usize, joints: &[usize]) -> Fact {
     let declared = &view.model.joints[freedom];
-    let (by, free) = (view.joints(joints), view.drivable());
+    let (by, mut free) = (view.joints(joints), view.drivable());
+    if free.is_empty() && declared.residuals.len() > 1 {
+        free = free_beside(view.model, view.system, freedom);
+    }
     MotionFact::FreedomIsHeld { freedom: declared.name.to_string(), of: declared.residuals.len(), by, free }.into()
 }
 

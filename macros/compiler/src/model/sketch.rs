@@ -81,6 +81,11 @@ impl Instantiation {
         Instantiation { kind: kind.to_owned(), arguments: Vec::new() }
     }
 
+    /// The argument of this name.
+    pub(crate) fn argument(&self, name: &str) -> Option<&JointArgument> {
+        self.arguments.iter().find(|(known, _)| known == name).map(|(_, argument)| argument)
+    }
+
     /// A spring, a damper or a stop with nothing but its points.
     pub(crate) fn between(mut self) -> Option<Instantiation> {
         self.arguments.retain(|(_, argument)| matches!(argument, JointArgument::Point(_)));

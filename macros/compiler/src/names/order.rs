@@ -43,9 +43,9 @@ pub(crate) fn completed(definition: &Definition, given: &[(usize, String)], ambi
 }
 
 impl Names {
-    /// The error for arguments that lack nothing but axes, as those of a joint of the plane do in space, with the call that has them;
-    /// `None` if no point tells the body of one.
-    pub(crate) fn with_axes(&self, definition: &Definition, given: &[(usize, String)], values: &[Value]) -> Option<ArityFact> {
+    /// The error for arguments that lack nothing but axes, as those of a joint of the plane do in space, or nothing but points, with the call
+    /// that has them; `None` if no point tells the body of an axis, or no axis that of a point.
+    pub(crate) fn with_marks(&self, definition: &Definition, given: &[(usize, String)], values: &[Value]) -> Option<ArityFact> {
         let (mut written, mut missing, mut without) = (Vec::new(), Vec::new(), Vec::new());
         let mut last: Option<(String, FrameId)> = None;
         for (index, formal) in definition.parameters.iter().enumerate() {
@@ -57,6 +57,12 @@ impl Names {
                     }
                 }
                 None if formal.default.is_some() => {}
+                None if matches!(formal.kind, FormalKind::Point) => {
+                    let (number, _) = given.iter().enumerate().find(|(_, (place, _))| *place > index)?;
+                    let owner = matches!(values[number], Value::Axis(_)).then(|| given[number].1.rsplit_once('.'))??.0;
+                    written.push(format!("{owner}.position"));
+                    missing.push(formal.name.to_string());
+                }
                 None => {
                     let (owner, frame) = last.as_ref()?;
                     if self.an_axis_of(*frame).is_none() && !without.contains(owner) {
@@ -69,7 +75,8 @@ impl Names {
         }
         let (definition, signature) = (definition.name.to_string(), signature(definition));
         let instead = format!("{definition}({})", written.join(", "));
-        Some(ArityFact::MissingAxes { definition, signature, missing, instead, without })
+        let are_points = last.is_none();
+        Some(ArityFact::MissingMarks { definition, signature, missing, instead, without, are_points })
     }
 }
 

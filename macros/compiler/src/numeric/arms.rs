@@ -13,8 +13,7 @@ const IN_LINE: f64 = 0.866;
 pub(crate) fn shafts_for_arms(model: &Model) -> Vec<Warning> {
     let made = model.joints.iter().zip(&model.sketch.joints).filter(|(_, made)| made.kind == "universal");
     let doubtful = made.filter_map(|(joint, made)| {
-        let axis = |name: &str| made.arguments.iter().find(|(formal, _)| formal == name).map(|(_, argument)| argument);
-        let (Some(JointArgument::Axis(a)), Some(JointArgument::Axis(b))) = (axis("a"), axis("b")) else { return None };
+        let (Some(JointArgument::Axis(a)), Some(JointArgument::Axis(b))) = (made.argument("a"), made.argument("b")) else { return None };
         let [a, b] = [a, b].map(|axis| at_start(model, axis));
         let dot = |one: &[f64; 3], two: &[f64; 3]| one.iter().zip(two).map(|(x, y)| x * y).sum::<f64>();
         let is_in_line = dot(&a, &b).abs() > IN_LINE * (dot(&a, &a) * dot(&b, &b)).sqrt();

@@ -91,7 +91,7 @@ impl<'a> ExactDependence<'a> {
 }
 
 /// Coordinates that can move if one freedom is left out, angles first.
-fn free_beside(model: &Model, system: &System, freedom: usize) -> Vec<String> {
+pub(crate) fn free_beside(model: &Model, system: &System, freedom: usize) -> Vec<String> {
     let mut pattern = system.pattern.clone();
     let of_freedom = pattern.rows.iter_mut().zip(&system.equations).filter(|(_, equation)| equation.joint == freedom);
     of_freedom.for_each(|(row, _)| row.clear());

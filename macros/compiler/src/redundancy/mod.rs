@@ -22,7 +22,7 @@ use crate::numeric::{Numeric, at_defaults};
 use crate::structure::{Block, SMALL, Structure, Subsystem};
 use crate::syntax::ast::Closing;
 use crate::system::System;
-pub(crate) use exact::ExactDependence;
+pub(crate) use exact::{ExactDependence, free_beside};
 use rows::Rows;
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -125,7 +125,10 @@ impl Elaborator<'_> {
         match self.value_or_array(expr, scope)? {
             Value::Array { group, at } => {
                 let name = self.names.member_name(group, &at);
-                self.refuse(expr.range, ArrayFact::ArrayWithoutIndex { name })
+                let is_whole = |value: &Value| matches!(value, Value::Scalar(scalar) if self.arena.as_constant(scalar.expr).is_some());
+                let variable = scope.bound.iter().rev().find(|(_, value)| scope.space.is_some() && is_whole(value));
+                let index = variable.map_or_else(|| "0".to_owned(), |(variable, _)| variable.clone());
+                self.refuse(expr.range, ArrayFact::ArrayWithoutIndex { name, index })
             }
             value => Some(value),
         }

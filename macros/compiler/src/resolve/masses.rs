@@ -130,7 +130,9 @@ impl Elaborator<'_> {
             let name = path.last.to_string();
             let Some(mass) = mass else { return self.refuse(written.range, ValueFact::ShapeWithoutMass { name }) };
             if arguments.len() != shape.lengths() {
-                let (call, wanted, found) = (shape.call, shape.lengths(), arguments.len());
+                let (wanted, found) = (shape.lengths(), arguments.len());
+                let of_two = if name == "disk" && found == 2 { Solid::named("cylinder", self.names.ambient) } else { None };
+                let call = of_two.map_or(shape.call, |solid| solid.call);
                 return self.refuse(written.range, ArityFact::ShapeArity { name, call, wanted, found });
             }
             let lengths: Option<Vec<Expr>> =

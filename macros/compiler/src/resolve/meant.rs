@@ -66,8 +66,13 @@ impl Elaborator<'_> {
                 MotionFact::ValueForForce { value, instead, laws: library::forces(self.names.ambient).map(str::to_owned).collect() }
             }
             Word::Drive => {
-                let law = if dim.times(Dim::TIME) == Dim::ANGLE { format!("{value} * t") } else { value.clone() };
-                MotionFact::ValueForConstraint { word, value, instead: format!("drive {name} = {};", self.names.a_drive(&law)) }
+                let call = match value.rsplit_once('.') {
+                    Some((owner, "angle")) if self.names.ambient == Ambient::Plane => format!("drive_angle({owner}, 60rpm * t)"),
+                    Some((_, "angle")) => format!("drive_rotation({value}, 60rpm * t)"),
+                    _ if dim.times(Dim::TIME) == Dim::ANGLE => self.names.a_drive(&format!("{value} * t")),
+                    _ => self.names.a_drive(&value),
+                };
+                MotionFact::ValueForConstraint { word, value, instead: format!("drive {name} = {call};") }
             }
             Word::Joint => {
                 let call = if self.names.ambient == Ambient::Space { "revolute(P, a, Q, b)" } else { "revolute(P, Q)" };

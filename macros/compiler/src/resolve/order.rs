@@ -43,8 +43,10 @@ impl Elaborator<'_> {
         let missing: Vec<&Formal> = definition.parameters.iter().enumerate().filter(is_missing).map(|(_, formal)| formal).collect();
         let written: Vec<(usize, String)> =
             places.iter().zip(given).map(|(place, argument)| (*place, argument.value.to_string())).collect();
-        if self.names.ambient == Ambient::Space && missing.iter().all(|formal| matches!(formal.kind, FormalKind::Axis)) {
-            let fact = self.names.with_axes(definition, &written, &values);
+        let are_axes = missing.iter().all(|formal| matches!(formal.kind, FormalKind::Axis));
+        let are_points = missing.iter().all(|formal| matches!(formal.kind, FormalKind::Point)) && matches!(values[0], Value::Axis(_));
+        if self.names.ambient == Ambient::Space && (are_axes || are_points) {
+            let fact = self.names.with_marks(definition, &written, &values);
             return fact.map_or(Some(()), |fact| self.refuse(kind, fact));
         }
         // In order up to the end: the last ones are missing.

@@ -36,7 +36,7 @@ pub(super) fn value(input: ParseStream) -> Parsed<Expression> {
 const DEPTH: u16 = 200;
 
 /// Largest nesting of parentheses, signs and powers: a level of the parser takes much more of the stack than a level of a walk.
-const NESTING: u16 = 50;
+pub(super) const NESTING: u16 = 50;
 
 /// Parses one expression.
 pub(super) fn expression(input: ParseStream) -> Parsed<Expression> {

@@ -5,7 +5,7 @@ use super::definition::mass;
 use super::expression::{declared, expression, value};
 use super::item::{ItemContext, indexed};
 use super::repeated::repeated_marks;
-use super::tokens::{Parsed, block, docs, equals, expected, keyword, name, report, semicolon, skip_statement, statement_text, wrong};
+use super::tokens::{Parsed, block, docs, equals, expected, keyword, name, next, report, semicolon, skip_statement, statement_text, wrong};
 use crate::diag::{Diag, GrammarFact};
 use crate::quantity::Ambient;
 use proc_macro2::Ident;
@@ -27,6 +27,10 @@ pub(super) fn ground(input: ParseStream, docs: Docs, diag: &mut Diag) -> Parsed<
 pub(super) fn body(input: ParseStream, docs: Docs, diag: &mut Diag) -> Parsed<FrameItem> {
     Ident::parse_any(input)?;
     let name = declared(input, "the name of the body")?;
+    if !input.peek(token::Brace) {
+        let indices: String = name.1.iter().map(|index| format!("[{index}]")).collect();
+        return wrong(input.span(), GrammarFact::BodyWithoutBraces { name: format!("{}{indices}", name.0), found: next(input) });
+    }
     frame(input, docs, name, "`{` and the points of the body", diag)
 }
 

@@ -19,7 +19,7 @@ use super::tokens::{
     parentheses, path, report, semicolon, skip_item, skip_to_block, visibility, wrong,
 };
 use crate::diag::{ArrayFact, Diag, GrammarFact, Range, ValueFact, Word};
-use crate::quantity::Ambient;
+use crate::quantity::{self, Ambient, Dim};
 use crate::words::{Home, home};
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
@@ -338,6 +338,9 @@ fn renamed(input: ParseStream, path: super::ast::Path) -> Parsed<Use> {
 fn parameter(input: ParseStream, docs: Docs) -> Parsed<ParameterItem> {
     Ident::parse_any(input)?;
     let (name, indices) = declared(input, "the name of the parameter")?;
+    if input.peek(Token![=]) {
+        return without_dimension(input, &name);
+    }
     let dimension = required_dimension(input)?;
     if !input.peek(Token![=]) {
         return expected(input, "`=` and the default of the parameter");
@@ -348,6 +351,21 @@ fn parameter(input: ParseStream, docs: Docs) -> Parsed<ParameterItem> {
     let limits = if input.peek(Token![in]) { Some(limits(input)?) } else { None };
     semicolon(input)?;
     Ok(ParameterItem { docs, name, indices, dimension, default, limits })
+}
+
+/// Refuses `param a = 50mm;`.
+fn without_dimension<T>(input: ParseStream, name: &Ident) -> Parsed<T> {
+    let (ahead, range) = (input.fork(), input.span());
+    equals(&ahead)?;
+    let default = expression(&ahead)?;
+    let unit = match &default.kind {
+        ExpressionKind::Number { unit, .. } if unit.is_empty() => Some(Dim::NUMBER),
+        ExpressionKind::Number { unit, .. } => quantity::unit(unit).map(|(_, dim)| dim),
+        _ => None,
+    };
+    let dimension = Dim::names().find(|known| unit.is_some() && Dim::named(known) == unit);
+    let (name, default) = (name.to_string(), dimension.map(|dimension| (dimension, default.to_string())));
+    wrong(range, GrammarFact::ParameterWithoutDimension { name, default })
 }
 
 /// Refuses `50mm min 10mm max 60mm`.

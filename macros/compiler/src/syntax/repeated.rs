@@ -3,10 +3,12 @@
 use super::arguments::arguments;
 use super::ast::{ComponentItem, Definition, Docs, For, IndexRange, Item, Marks, PartItem};
 use super::definition::{ambient, formals};
-use super::expression::{declared, expression};
+use super::expression::{NESTING, declared, expression, list};
 use super::frame::marks;
 use super::item::{ItemContext, items};
-use super::tokens::{Parsed, block, comma, docs, equals, expected, keyword, name, parentheses, report, semicolon, skip_to_block, wrong};
+use super::tokens::{
+    Parsed, block, docs, equals, expected, keyword, name, parentheses, report, semicolon, skip_to_block, statement_text, wrong,
+};
 use crate::diag::{Diag, GrammarFact};
 use crate::quantity::Ambient;
 use proc_macro2::Ident;
@@ -44,6 +46,11 @@ pub(super) fn part(input: ParseStream, docs: Docs) -> Parsed<PartItem> {
     equals(input)?;
     let kind = self::name(input, "a component, as in `Leg(…)`")?;
     if !input.peek(token::Paren) {
+        if kind == "new" && input.peek(syn::Ident) {
+            let (made, instead) = (self::name(input, "a component")?, statement_text(input)?);
+            let instead = format!("part {name} = {made}{instead};");
+            return wrong(kind.span(), GrammarFact::Misspelt { flaw: "a component is called without `new`", instead });
+        }
         return expected(input, "`(` and the arguments");
     }
     let arguments = Rc::new(arguments(input)?);
@@ -78,11 +85,16 @@ fn counts(input: ParseStream, variable: &Ident) -> Parsed<()> {
     let flaw = "a loop counts whole numbers";
     if array == "range" && ahead.peek(token::Paren) {
         let (content, _) = parentheses(&ahead)?;
-        let (first, second) =
-            (expression(&content)?, if comma(&content, "`,`").is_ok() && !content.is_empty() { expression(&content).ok() } else { None });
-        let instead = match second {
-            Some(second) => format!("for {variable} in {first}..{second}"),
-            None => format!("for {variable} in 0..{first}"),
+        let values = list(&content, NESTING)?;
+        let numbers: Option<Vec<usize>> = values.iter().map(|value| value.to_string().parse().ok()).collect();
+        let instead = match (numbers.as_deref(), values.as_slice()) {
+            (Some(&[first, second, step]), _) if second > first && step > 0 => {
+                let index = if first == 0 { format!("{step} * {variable}") } else { format!("{first} + {step} * {variable}") };
+                format!("for {variable} in 0..{} {{ … {index} … }}", (second - first).div_ceil(step))
+            }
+            (_, [first, second, ..]) => format!("for {variable} in {first}..{second}"),
+            (_, [only]) => format!("for {variable} in 0..{only}"),
+            (_, []) => format!("for {variable} in 0..3"),
         };
         return wrong(place, GrammarFact::Misspelt { flaw, instead });
     }

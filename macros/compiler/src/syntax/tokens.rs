@@ -31,7 +31,7 @@ pub(super) fn statement_text(input: ParseStream) -> Parsed<String> {
 }
 
 /// Text of the next token for messages: in backticks, or `the end`.
-fn next(input: ParseStream) -> String {
+pub(super) fn next(input: ParseStream) -> String {
     match input.cursor().token_tree() {
         None => "the end".to_owned(),
         Some((TokenTree::Group(group), _)) => match group.delimiter() {

@@ -49,13 +49,12 @@ fn worst(model: &Model, made: &Instantiation, known: &Values) -> Option<(f64, f6
         "cam_flat" => ("h", true),
         _ => return None,
     };
-    let argument = |name: &str| made.arguments.iter().find(|(known, _)| known == name).map(|(_, argument)| argument);
-    let Some(JointArgument::Function(law)) = argument(law) else { return None };
+    let Some(JointArgument::Function(law)) = made.argument(law) else { return None };
     let mut arena = model.sketch.arena.clone();
     let mut by_angle = Derivatives::new(Leaf::Time);
     let slope = by_angle.of(&mut arena, *law);
     let bend = by_angle.of(&mut arena, slope);
-    let roller = match argument("roller") {
+    let roller = match made.argument("roller") {
         Some(JointArgument::Number(roller, _)) => *roller,
         _ => arena.integer(0),
     };

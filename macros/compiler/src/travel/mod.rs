@@ -10,7 +10,7 @@
 //! 4. `turn`: if no step succeeds, follows the block along its own curve, which shows the point where it turns back.
 //! 5. `blame`: reports.
 //! 6. `corners`: the same with parameters at the ends of their bounds.
-//! 7. `cams`: whether cams can be made.
+//! 7. `cams` and `gears`: whether cams can be made, and gears mesh.
 //!
 //! Only observed events are refused: nothing is reported if a step is possible neither on the path nor along the curve, if a Rust function is
 //! needed, or if it would take too many operations.
@@ -19,6 +19,7 @@ mod blame;
 mod cams;
 mod chain;
 mod corners;
+mod gears;
 mod law;
 mod turn;
 mod walk;
@@ -52,17 +53,18 @@ pub struct Motion {
     pub remarks: Vec<String>,
     /// An end of travel without a declared range: a shorter motion may be meant.
     pub warning: Option<Warning>,
-    /// Cams that are undercut.
-    pub undercut: Vec<Warning>,
+    /// Cams that are undercut, and gears that do not mesh.
+    pub flaws: Vec<Warning>,
     /// Number of interpreter operations spent.
     pub effort: u64,
 }
 
 /// Follows the motion from the start, over the declared range or until it repeats.
 pub(crate) fn follow(model: &Model, system: &System, structure: &Structure, assembly: &Assembly, diag: &mut Diag) -> Option<Motion> {
-    let undercut = if model.closing == Closing::Deny { cams::undercut(model, system) } else { Vec::new() };
+    let flaws = || [cams::undercut(model, system), gears::apart(model, system), gears::inside_out(model, system)].concat();
+    let flaws = if model.closing == Closing::Deny { flaws() } else { Vec::new() };
     if !assembly.is_closed || assembly.remark.is_some() || model.following == Following::Off || !model.task.is_solved() {
-        return Some(Motion { undercut, ..Motion::default() });
+        return Some(Motion { flaws, ..Motion::default() });
     }
     let Travel { reached, end, notes: mut remarks, spent: effort } =
         at_defaults(model, system, |numeric| Travel::new(numeric, structure, assembly));
@@ -76,7 +78,7 @@ pub(crate) fn follow(model: &Model, system: &System, structure: &Structure, asse
         remarks.insert(0, fact.to_string());
         warning = (model.closing == Closing::Deny).then(|| Warning { doubt: Doubt::MotionEnds(Box::new(fact.into())), range });
     }
-    Some(Motion { reached, remarks, warning, undercut, effort })
+    Some(Motion { reached, remarks, warning, flaws, effort })
 }
 
 /// Findings while the motion is followed.

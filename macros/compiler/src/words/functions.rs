@@ -1,7 +1,7 @@
 //! Functions of other languages, with their equivalents here.
 
 /// Names of functions, the reason why there is none of these names, if it is not obvious, and what to write.
-const FUNCTIONS: [(&[&str], &str, &str); 39] = [
+const FUNCTIONS: [(&[&str], &str, &str); 41] = [
     (&["pow", "powi", "powf", "power", "sqr", "square", "squared"], "", "a power is written `a^b`"),
     (&["cbrt"], "", "for x > 0 it is the power `x^(1/3)`"),
     (&["hypot"], "", "write `sqrt(a^2 + b^2)`"),
@@ -50,6 +50,12 @@ const FUNCTIONS: [(&[&str], &str, &str); 39] = [
         &["rot", "rotx", "roty", "rotz", "rot_x", "rot_y", "rot_z", "rotate", "rotate_x", "rotate_y", "rotate_z", "rotation", "axis_angle"],
         "",
         "an orientation is a turn about an axis, such as `turn((0, 0, 1), 30deg)`, or a product of turns",
+    ),
+    (&["rise", "fall", "dwell"], ": it is a segment of a law", "write `segments(t, 0mm, [rise(10mm, 1s, cycloidal), dwell(1s)])`"),
+    (
+        &["cubic", "quintic", "septic", "parabolic", "sinusoidal"],
+        "",
+        "laws from 0 to 1 are `linear`, `harmonic`, `cycloidal`, `modified_sine`, `modified_trapezoidal`, `polynomial_345` and `polynomial_4567`",
     ),
     (&["polar", "cis"], "", "write `(r * cos(angle), r * sin(angle))`"),
     (

@@ -15,7 +15,7 @@ fn told(contact: &str, law: &str) -> Vec<String> {
             drive motor = drive_angle(cam, 60rpm * t);
         }}"
     );
-    accepted(&source).motion.undercut.iter().map(|warning| warning.doubt.to_string()).collect()
+    accepted(&source).motion.flaws.iter().map(|warning| warning.doubt.to_string()).collect()
 }
 
 /// r = c + A cos n ψ: at the crest the radius of curvature is (c + A)² / (c + A (1 + n²)).

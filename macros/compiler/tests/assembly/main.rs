@@ -3,6 +3,7 @@
 mod accepted;
 mod cams;
 mod gaps;
+mod gears;
 mod joints;
 mod nearest;
 mod orientations;

@@ -13,7 +13,7 @@ crate::refusals! {
     item a_point_of_another_body: "body c { mass = 1kg; center = «A»; }" => "`crank.A` does not belong to this body, whose items are written in its own coordinates\nhelp: name the coordinates with `let c = (…);`, and write `c` for both";
     item points_that_lead_to_each_other: "body c { point «P» = Q + (1m, 0m); point Q = P; }" => "`P` depends on itself, by way of `c.Q`";
     item pi_in_greek: "let a = «π» * 1m;" => "nothing is called `π` here\nhelp: write `pi`";
-    item an_angle_in_greek: "let a = sin(«θ»);" => "nothing is called `θ` here\nhelp: declare it, such as `param θ: Angle = …;`, or `input θ: Angle;` if it is given at each step";
+    item an_angle_in_greek: "let a = sin(«θ»);" => "nothing is called `θ` here\nhelp: declare it, such as `param θ: Angle = …;`, or `input θ: Angle;` if it is given at each step; the angle of a body is `body.angle`";
     item an_angular_velocity_in_greek: "let a = 2s * «ω»;" => "nothing is called `ω` here\nhelp: declare it, such as `param ω: AngularVelocity = …;`";
     item an_energy_as_an_output: "output e = «energy»;" => "nothing is called `energy` here\nnote: energies are computed for a state, in Rust\nhelp: write `mechanism.energy(&state)` there";
     item an_angular_velocity_at_the_start: "body b { start «angular_velocity» = 3rad_s; }" => "a body does not start with `angular_velocity`: a velocity at the start is that of a freedom\nhelp: write `freedom name = body.angle from 0deg at 5rad_s;`";
@@ -28,7 +28,9 @@ crate::refusals! {
     item an_energy: "param a: «Energy» = 1;" => "no dimension is called `Energy`\nhelp: did you mean `Torque`?";
     item name_is_mistyped: "output b = «lenght»;" => "nothing is called `lenght` here\nhelp: did you mean `length`?";
     item name_is_unknown: "output b = «wheel»;" => "nothing is called `wheel` here";
-    item angle_is_not_declared: "drive b = drive_angle(crank, «theta»);" => "nothing is called `theta` here\nhelp: declare it, such as `param theta: Angle = …;`, or `input theta: Angle;` if it is given at each step";
+    item angle_is_not_declared: "drive b = drive_angle(crank, «theta»);" => "nothing is called `theta` here\nhelp: declare it, such as `param theta: Angle = …;`, or `input theta: Angle;` if it is given at each step; the angle of a body is `body.angle`";
+    item segment_by_itself: "let a = «rise»(10mm, 1s, cycloidal);" => "no function is called `rise`: it is a segment of a law\nhelp: write `segments(t, 0mm, [rise(10mm, 1s, cycloidal), dwell(1s)])`";
+    item law_of_another_name: "let a = segments(t, 0mm, [rise(10mm, 1s, «cubic»)]);" => "no function is called `cubic`\nhelp: laws from 0 to 1 are `linear`, `harmonic`, `cycloidal`, `modified_sine`, `modified_trapezoidal`, `polynomial_345` and `polynomial_4567`";
     item speed_is_not_declared: "drive b = drive_angle(crank, «omega» * t);" => "nothing is called `omega` here\nhelp: declare it, such as `param omega: AngularVelocity = …;`";
     item length_is_not_declared: "body b { point P = («L2», 0mm); }" => "nothing is called `L2` here\nhelp: declare it, such as `param L2: Length = …;`";
     item time_is_written_out: "drive b = drive_angle(crank, 1rad_s * «time»);" => "nothing is called `time` here\nhelp: did you mean `t`?";

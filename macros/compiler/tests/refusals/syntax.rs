@@ -17,7 +17,7 @@ crate::refusals! {
     item a_value_without_its_word: "«radius» = 100mm;" => "an item begins with its kind, and has a name\nhelp: write `let radius = …;`";
     item a_value_with_a_type: "«double» radius = 100mm;" => "an item begins with its kind, and has a name\nhelp: write `let radius = …;`";
     item a_comment_of_matlab: "«%» a comment" => "expected an item: `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `start`, `output`, `range`, `part`, `for`, `component`, `function` or `use`, found `%`\nhelp: a comment begins with `//`";
-    item a_body_from_a_component: "body leg «=» Leg(1m);" => "expected `{` and the points of the body, found `=`\nhelp: write `body name { … }`; a part that is made of a component is `part name = Component(…);`";
+    item a_body_from_a_component: "body leg «=» Leg(1m);" => "expected `{` and the points of the body, found `=`\nhelp: write `body leg { … }`; a part that is made of a component is `part leg = Component(…);`";
     item a_start_without_its_word: "body b { «angle» = 70deg; }" => "`angle` is no item of a body\nhelp: write `start angle = …;` for about where the body is at t = 0";
     item two_conditions_in_words: "let a = if length > 1m «and» length < 2m { 1 } else { 2 };" => "expected `{ value }`, found `and`\nhelp: a choice has one condition: choose twice, as in `if a < b { if c < d { x } else { y } } else { y }`";
     item a_chain_of_comparisons: "let a = if 1m < length «<» 2m { 1 } else { 2 };" => "expected `{ value }`, found `<`\nhelp: a choice has one condition: choose twice, as in `if a < b { if c < d { x } else { y } } else { y }`";
@@ -46,7 +46,9 @@ crate::refusals! {
     item unit_with_a_point: "force f = { on crank: «3N.m»; };" => "a unit is one word, and `3N.m` is several\nhelp: write `3Nm`";
     item semicolon_is_missing: "param a: Length = 10mm «param» b: Length = 20mm;" => "expected `;`, found `param`\nhelp: end what stands before it with `;`";
     mechanism semicolon_is_missing_at_the_end: "mechanism Crank { param a: Length = 10mm «}»" => "expected `;`, found the end\nhelp: end what stands before it with `;`";
-    item dimension_is_missing: "param a «=» 10mm;" => "expected `:` and a dimension such as `Length`, found `=`\nhelp: write the dimension behind the name, as in `name: Length = …;`";
+    item dimension_is_missing: "param a «=» 10mm;" => "expected `:` and a dimension such as `Length`, found `=`\nhelp: write `a: Length = 10mm;`";
+    item dimension_of_a_speed_is_missing: "param a «=» 60rpm;" => "expected `:` and a dimension such as `Length`, found `=`\nhelp: write `a: AngularVelocity = 60rpm;`";
+    item dimension_of_a_product_is_missing: "param a «=» 2 * 10mm;" => "expected `:` and a dimension such as `Length`, found `=`\nhelp: write the dimension behind the name, as in `a: Length = …;`";
     item default_is_missing: "param a: Length«;»" => "expected `=` and the default of the parameter, found `;`\nhelp: each parameter has a default, as in `param name: Length = 50mm;`";
     item name_is_missing: "param «:» Length = 10mm;" => "expected the name of the parameter, found `:`";
     item name_is_a_keyword: "joint «in» = revolute(ground.O, crank.O);" => "`in` is a word of Rust and cannot be a name\nhelp: write `in_`";
@@ -56,7 +58,7 @@ crate::refusals! {
     item item_is_unknown: "«parm» a: Length = 10mm;" => "`parm` is no item of a mechanism\nhelp: did you mean `param`?\nnote: items are `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `start`, `output`, `range`, `part`, `for`, `component`, `function` and `use`";
     item item_is_no_word: "«5» a: Length = 10mm;" => "expected an item: `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `start`, `output`, `range`, `part`, `for`, `component`, `function` or `use`, found `5`";
     item item_of_a_body_is_unknown: "body b { «pointt» P = (0mm, 0mm); }" => "`pointt` is no item of a body\nhelp: did you mean `point`?\nnote: a body has `point`, `axis`, `start`, `mass`, `center` and `inertia`";
-    item body_without_braces: "body b«;»" => "expected `{` and the points of the body, found `;`\nhelp: write `body name { … }`, a name is one word; a body without points is `body name {}`";
+    item body_without_braces: "body b«;»" => "expected `{` and the points of the body, found `;`\nhelp: a body without points is `body b {}`";
     item sections_of_a_body_with_colons: "body b { point B = (1m, 0m); mass«:» 2kg; }" => "expected `=`, found `:`\nhelp: a value stands behind `=`; only parameters and inputs have `:` and a dimension before it";
     item start_of_no_coordinate: "body b { point B = (1m, 0m); start «=» 200mm; }" => "expected `x`, `y`, `angle` or `position`, found `=`\nhelp: say of which coordinate, as in `start x = 200mm;` or `start position = (200mm, 0mm);`";
     item point_outside_a_body: "«point» Z = (0mm, 0mm);" => "`point` belongs in ground or in a body\nhelp: write it there, as in `ground { point Z = …; }`";
@@ -78,7 +80,7 @@ crate::refusals! {
     item unit_stands_behind_its_number: "param a: Length = «120 mm»;" => "a unit stands right behind its number\nhelp: write `120mm`";
     item text_is_no_number: "param a: Length = «\"120mm\"»;" => "expected a number, found a string\nhelp: a quantity is a number with its unit right behind it, such as `120mm`";
     item comma_is_missing: "joint a = revolute(ground.C «crank».A);" => "expected `,` or `)`, found `crank`";
-    item call_is_missing: "joint a = revolute«;»" => "expected `(` and the arguments, found `;`";
+    item call_is_missing: "joint a = revolute«;»" => "expected `(` and the arguments, found `;`\nhelp: a component without arguments is called with `()`";
     item constraint_by_its_path: "joint a = «crate::rolling»(crank);" => "a joint names its constraint by a single word\nhelp: write `use crate::rolling;` above, and `rolling(…)` here";
     item equation_with_a_single_equal_sign: "joint a = { crank.x «=» 0; }" => "an equation is written with `==`\nhelp: write `lhs == rhs;`";
     item equation_without_right_side: "joint a = { crank.x == «;» }" => "expected an expression, found `;`";
@@ -170,6 +172,14 @@ crate::refusals! {
     item loop_over_a_name: "for b in «bars» { drive d = drive_angle(b, 1rad); }" => "a loop counts whole numbers\nhelp: write `for i in 0..3 { … bars[i] … }`";
     item loop_as_in_python: "for i in «range»(3) { body b[i] {} }" => "a loop counts whole numbers\nhelp: write `for i in 0..3`";
     item loop_as_in_python_from_one: "for i in «range»(1, 3) { body b[i] {} }" => "a loop counts whole numbers\nhelp: write `for i in 1..3`";
+    item loop_as_in_python_by_twos: "for i in «range»(0, 6, 2) { body b[i] {} }" => "a loop counts whole numbers\nhelp: write `for i in 0..3 { … 2 * i … }`";
+    item loop_as_in_python_by_threes: "for i in «range»(1, 9, 3) { body b[i] {} }" => "a loop counts whole numbers\nhelp: write `for i in 0..3 { … 1 + 3 * i … }`";
+    item loop_as_in_python_over_nothing: "for i in «range»() { body b[i] {} }" => "a loop counts whole numbers\nhelp: write `for i in 0..3`";
+    item force_at_a_point_before_its_value: "force f «at» crank.A = (0N, -5N);" => "expected `=`, found `at`\nhelp: write `force name = { at P: (0N, -5N); }`";
+    item torque_on_a_body_before_its_value: "force f «on» crank = 5Nm;" => "expected `=`, found `on`\nhelp: write `force name = { on body: 5Nm; }`";
+    item output_with_a_unit: "output o = crank.x with «unit» mm;" => "expected `jerk` after `with`, found `unit`\nhelp: values are in SI: take it away, and convert the output in Rust";
+    item body_by_a_component: "body b «=» Leg();" => "expected `{` and the points of the body, found `=`\nhelp: write `body b { … }`; a part that is made of a component is `part b = Component(…);`";
+    item body_of_two_words: "body b[0] «two» {}" => "expected `{` and the points of the body, found `two`\nhelp: write `body b[0] { … }`, a name is one word; a body without points is `body b[0] {}`";
     item input_as_a_drive_of_a_place: "input m «=» drive_x(crank.A, 1mm);" => "an input is a quantity, which a drive may follow\nhelp: write `input m: Length; drive d = drive_x(…, m);`";
     item input_as_a_drive: "input m «=» drive_angle(crank, 1rad);" => "an input is a quantity, which a drive may follow\nhelp: write `input m: Angle; drive d = drive_angle(…, m);`";
     item unit_behind_a_vector: "body b { point P = «(200, 3 * 2)mm»; }" => "each number has a unit of its own\nhelp: write `(200mm, (3 * 2) * 1mm)`";

@@ -33,10 +33,15 @@ impl Display for ArityFact {
                 }
                 write!(f, "\nnote: `{signature}`")
             }
-            ArityFact::MissingAxes { definition, signature, missing, instead, without } => {
-                let (verb, noun) = if missing.len() == 1 { ("is", "the axis") } else { ("are", "axes") };
+            ArityFact::MissingMarks { definition, signature, missing, instead, without, are_points } => {
+                let (verb, noun) = match (missing.len(), are_points) {
+                    (1, true) => ("is", "the point beside axes"),
+                    (1, false) => ("is", "the axis beside points"),
+                    (_, true) => ("are", "points beside axes"),
+                    (_, false) => ("are", "axes beside points"),
+                };
                 let missing = listed(missing.iter().map(String::as_str));
-                write!(f, "`{definition}` takes {noun} beside points: {missing} {verb} missing\nhelp: write `{instead}`")?;
+                write!(f, "`{definition}` takes {noun}: {missing} {verb} missing\nhelp: write `{instead}`")?;
                 if !without.is_empty() {
                     write!(f, ", with `axis z = (0, 0, 1);` in {}", listed(without.iter().map(String::as_str)))?;
                 }

@@ -17,7 +17,9 @@ impl Display for ArrayFact {
                 write!(f, "`{name}` is declared twice: here, and outside of this loop or in another round of it")?;
                 write!(f, "\nhelp: count on from there, as in `{next}`")
             }
-            ArrayFact::ArrayWithoutIndex { name } => write!(f, "`{name}` is an array\nhelp: say which one, such as `{name}[0]`"),
+            ArrayFact::ArrayWithoutIndex { name, index } => {
+                write!(f, "`{name}` is an array\nhelp: say which one, such as `{name}[{index}]`")
+            }
             ArrayFact::NoArray { found: found @ (Kind::Point | Kind::Vector), is_member: false } => {
                 write!(f, "{found} has no index\nhelp: its components are `.x` and `.y`, in space `.z` too")
             }

@@ -23,7 +23,10 @@ impl Display for AssemblyFact {
             AssemblyFact::HasNoValue { joint, row, of, drives, has_none_anywhere, kind } => {
                 write!(f, "{}", equation(*row, *of))?;
                 let place = if *has_none_anywhere { "at t = 0" } else { "near the start" };
-                write!(f, " of `{joint}` has no value {place}: a root of something negative, a division by zero or a number beyond 1e308")?;
+                write!(
+                    f,
+                    " of `{joint}` has no value {place}: an impossible root or arc sine, a division by zero or a number beyond 1e308"
+                )?;
                 if *has_none_anywhere {
                     return write!(f, "\nhelp: let `{joint}` have another value at t = 0");
                 }

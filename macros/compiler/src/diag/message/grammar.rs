@@ -72,6 +72,9 @@ impl Display for GrammarFact {
                     ("the name of the joint", "`=`") => write!(f, "\nhelp: write `joint name = …`"),
                     ("the name of the drive", "`=`") => write!(f, "\nhelp: write `drive name = …`"),
                     ("`(` and the arguments", "`{`") => write!(f, "\nhelp: arguments stand in parentheses"),
+                    ("`(` and the arguments", "`;`") => write!(f, "\nhelp: a component without arguments is called with `()`"),
+                    ("`=`", "`at`") => write!(f, "\nhelp: write `force name = {{ at P: (0N, -5N); }}`"),
+                    ("`=`", "`on`") => write!(f, "\nhelp: write `force name = {{ on body: 5Nm; }}`"),
                     ("`=`", "`{`") => write!(f, "\nhelp: a value stands behind `=`, without braces"),
                     ("`=`", "`(`") => {
                         write!(f, "\nhelp: write `point P = (…);` for a point, `function f(x: Angle) -> Length = …;` for a function")
@@ -91,18 +94,15 @@ impl Display for GrammarFact {
                     ("`jerk` after `with`", found) if is_rate(found.trim_matches('`')) || is_acceleration(found.trim_matches('`')) => {
                         write!(f, "\nhelp: an output has its rate and its acceleration already: write it without `with`")
                     }
+                    ("`jerk` after `with`", "`unit`" | "`units`") => {
+                        write!(f, "\nhelp: values are in SI: take it away, and convert the output in Rust")
+                    }
                     ("`jerk` after `with`", found) => {
                         write!(f, "{}", did_you_mean(&crate::words::nearest(found.trim_matches('`'), ["jerk"].into_iter())))
                     }
                     ("`{ value }`", "`then`") => write!(f, "\nhelp: write `if a < b {{ x }} else {{ y }}`"),
                     ("`=`", "`:`") => {
                         write!(f, "\nhelp: a value stands behind `=`; only parameters and inputs have `:` and a dimension before it")
-                    }
-                    ("`{` and the points of the body", "`=`") => {
-                        write!(f, "\nhelp: write `body name {{ … }}`; a part that is made of a component is `part name = Component(…);`")
-                    }
-                    ("`{` and the points of the body", _) => {
-                        write!(f, "\nhelp: write `body name {{ … }}`, a name is one word; a body without points is `body name {{}}`")
                     }
                     ("`:` and a dimension such as `Length`", "`=`" | "`;`") => {
                         write!(f, "\nhelp: write the dimension behind the name, as in `name: Length = …;`")
@@ -122,6 +122,21 @@ impl Display for GrammarFact {
                     ("`..` or `..=` and the end of the range", _) => write!(f, "\nhelp: write `for i in 0..3 {{ … }}`"),
                     (what, "`-`" | "`%`") if what.starts_with("an item: ") => write!(f, "\nhelp: a comment begins with `//`"),
                     _ => Ok(()),
+                }
+            }
+            GrammarFact::BodyWithoutBraces { name, found } => {
+                write!(f, "expected `{{` and the points of the body, found {}\nhelp: ", shortened(found))?;
+                match found.as_str() {
+                    "`;`" => write!(f, "a body without points is `body {name} {{}}`"),
+                    "`=`" => write!(f, "write `body {name} {{ … }}`; a part that is made of a component is `part {name} = Component(…);`"),
+                    _ => write!(f, "write `body {name} {{ … }}`, a name is one word; a body without points is `body {name} {{}}`"),
+                }
+            }
+            GrammarFact::ParameterWithoutDimension { name, default } => {
+                write!(f, "expected `:` and a dimension such as `Length`, found `=`\nhelp: write ")?;
+                match default {
+                    Some((dimension, default)) => write!(f, "`{name}: {dimension} = {default};`"),
+                    None => write!(f, "the dimension behind the name, as in `{name}: Length = …;`"),
                 }
             }
             GrammarFact::ArgumentByEquals { name } => {

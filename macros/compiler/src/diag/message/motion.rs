@@ -48,7 +48,10 @@ impl Display for MotionFact {
             }
             MotionFact::InertiaOfNumbers { found, first } => {
                 write!(f, "the inertia of a body in space is three numbers or six, found {found}")?;
-                let first = if first.starts_with('[') { "0.1kgm2" } else { first };
+                if first.starts_with('[') {
+                    write!(f, "\nhelp: write `(I_xx, I_yy, I_zz)`, or with products of inertia `(I_xx, I_yy, I_zz, I_xy, I_xz, I_yz)`")?;
+                    return write!(f, ", each such as `0.1kgm2`");
+                }
                 write!(f, "\nhelp: write `({first}, {first}, {first})` for I_xx, I_yy, I_zz, or a shape such as `ball(30mm)`")
             }
             MotionFact::InertiaAlongInPlane { inertia } => {

@@ -88,6 +88,13 @@ impl Display for NameFact {
                 write!(f, "\nhelp: `mechanism.loads(&state)` has a method for each joint, with `force` and `torque`, ")?;
                 write!(f, "and for each drive, with `effort` and `power`")
             }
+            NameFact::UnknownField { owner, name, known, .. }
+                if ["angular_velocity", "omega"].contains(&name.as_str())
+                    && owner.ends_with(" joint")
+                    && known.first.iter().any(|word| word == "angle") =>
+            {
+                write!(f, "{owner} has no `{name}`\nhelp: write the rate of its angle, as in `rate(hinge.angle)`")
+            }
             NameFact::UnknownField { owner, name, .. } if name == "angle" && owner == "a `revolute` joint" => {
                 write!(
                     f,
@@ -285,7 +292,10 @@ fn declaration(name: &str, dimension: &str, is_of_definition: bool) -> String {
     if is_of_definition {
         return format!("take it as an argument, `{name}: {dimension}`");
     }
-    let input = if dimension == "Angle" { format!(", or `input {name}: Angle;` if it is given at each step") } else { String::new() };
+    let input = match dimension {
+        "Angle" => format!(", or `input {name}: Angle;` if it is given at each step; the angle of a body is `body.angle`"),
+        _ => String::new(),
+    };
     format!("declare it, such as `param {name}: {dimension} = …;`{input}")
 }
 

@@ -54,8 +54,17 @@ impl Display for ValueFact {
                 if found.times(Dim::TIME) == *wanted && [Dim::ANGLE, Dim::LENGTH].contains(wanted) {
                     return write!(f, "\nhelp: multiply the rate by `t`");
                 }
+                let instead = match (*wanted, *found) {
+                    (Dim::TORQUE, Dim::ANGLE) => "drive_angle(b, C)`, in space `drive_rotation(hinge.angle, C)",
+                    (Dim::FORCE, Dim::LENGTH) => "drive_distance(P, Q, C)",
+                    _ => "",
+                };
+                if ["motor", "actuator"].contains(&definition.as_str()) && !instead.is_empty() {
+                    return write!(f, "\nhelp: a motion that is given is a drive: write `drive name = {instead}`");
+                }
                 // An argument given as a function of time often lacks only a factor with a unit.
                 match *found {
+                    Dim::TIME if *wanted == Dim::ANGLE => write!(f, "\nhelp: multiply the time by a rate, such as `2rad_s` or `60rpm`"),
                     Dim::TIME => write!(f, "\nhelp: multiply the time by a rate in {}", wanted.per(Dim::TIME).unit()),
                     found if found.is_of_time() => write!(f, "\nhelp: multiply it by a quantity in {}", wanted.per(found).unit()),
                     found => f.write_str(remedy::of_dimension(*wanted, found)),
