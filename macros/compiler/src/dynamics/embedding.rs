@@ -4,7 +4,7 @@
 //! q_e = h(q, t)      u_e = Σ E_er u_r + ν_e      u̇_e = Σ E_er u̇_r + γ_e
 //! ```
 
-use super::{Masses, MotionRow, power_of_length, squares};
+use super::{Masses, MotionRow, squares};
 use crate::expr::{Arena, Expr, Leaf, Substitution};
 use crate::system::Equation;
 use std::collections::{BTreeMap, BTreeSet};
@@ -200,7 +200,7 @@ impl Embedding<'_> {
         let Affine { factors, nu, gamma } = self.affine(equation);
         let phi = equation.phi().map(|phi| self.of(phi));
         let jacobian = self.integrated().iter().map(|unknown| factors.get(unknown).copied().unwrap_or(zero)).collect();
-        MotionRow { power: power_of_length(equation.dim), of: (equation.joint, equation.row), phi, jacobian, nu, gamma }
+        MotionRow { power: equation.dim.power_of_length(), of: (equation.joint, equation.row), phi, jacobian, nu, gamma }
     }
 
     /// Coordinates that are not explicit.

@@ -30,7 +30,6 @@ use crate::diag::Diag;
 use crate::expr::{Arena, Expr, Leaf, Lookup, Node, Unary, derivative};
 use crate::model::Model;
 use crate::numeric::{Numeric, at_defaults};
-use crate::quantity::Dim;
 use crate::structure::Structure;
 use crate::system::{Balance, Equation, Level, System};
 pub use elimination::Accelerations;
@@ -218,7 +217,7 @@ fn reduce(system: &System, structure: &Structure, balance: &Balance) -> Dynamics
     let all: Vec<&usize> = if redundant.is_empty() { Vec::new() } else { structure.checked.iter().chain(left).collect() };
     let checked = all.into_iter().filter_map(|row| {
         let Equation { joint, dim, .. } = of_positions[*row];
-        Some((joint, embedding.of(of_positions[*row].phi()?), power_of_length(dim)))
+        Some((joint, embedding.of(of_positions[*row].phi()?), dim.power_of_length()))
     });
     let checked = checked.collect();
     let kinks = kinks.into_iter().map(|expr| embedding.of(expr)).collect();
@@ -259,15 +258,6 @@ fn departure(arena: &mut Arena, equation: &Equation) -> [Expr; 2] {
         rate = arena.add(rate, term);
     }
     [phi, rate]
-}
-
-/// As which power of a length a residual is judged.
-fn power_of_length(dim: Dim) -> u8 {
-    match dim {
-        Dim::ANGLE | Dim::NUMBER => 0,
-        Dim::LENGTH => 1,
-        _ => 2,
-    }
 }
 
 /// Equations without marks.

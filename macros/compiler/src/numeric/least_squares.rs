@@ -16,6 +16,8 @@ pub(crate) struct Problem<'a> {
     pub(crate) pattern: Vec<(usize, usize)>,
     /// Evaluates Φ, then the derivatives.
     pub(crate) evaluator: Evaluator,
+    /// Natural size of each row: that of its derivatives in scaled unknowns.
+    pub(crate) natural: Vec<f64>,
     /// Offset added to each row; empty: none.
     pub(crate) shift: Vec<f64>,
     /// Parameters and functions; the coordinates in it are replaced.
@@ -34,6 +36,13 @@ pub(crate) struct Problem<'a> {
 
 /// The rows count as closed when the sum of their squares, in scaled unknowns, is below this.
 pub(crate) const CLOSED: f64 = 1e-20;
+
+/// A row whose derivatives are below this fraction of its natural size is divided by the fraction: a row that touches zero, as the cosine of two axes
+/// that stay in line, has a residual of nothing but rounding, and derivatives no larger.
+pub(crate) const TOUCHING: f64 = 1e-6;
+
+/// A row without derivatives holds if its residual is below this fraction of its natural size.
+const ROUNDED: f64 = 1e-12;
 
 /// Residuals and Jacobian at a configuration, in scaled unknowns.
 #[derive(Clone)]
@@ -60,18 +69,20 @@ impl Problem<'_> {
         linear
     }
 
-    /// Residuals and Jacobian, each row divided by its largest entry.
+    /// Residuals and Jacobian, each row divided by its largest entry, or by what this is at least.
     fn linearize(&mut self, q: &[f64]) -> Linearization {
         let mut linear = self.raw(q);
-        for ((value, row), is_known) in linear.phi.iter_mut().zip(&mut linear.jacobian).zip(&self.is_known) {
+        for (k, (value, row)) in linear.phi.iter_mut().zip(&mut linear.jacobian).enumerate() {
+            let (natural, is_known) = (self.natural[k], self.is_known[k]);
             let size = row.iter().fold(0.0, |size: f64, entry| size.max(entry.abs()));
-            if !value.is_finite() || !size.is_finite() || size == 0.0 {
+            if !value.is_finite() || !size.is_finite() || size == 0.0 && value.abs() > ROUNDED * natural {
                 // A row with an unknown function is left out. A row without a finite value or gradient at this configuration counts as
                 // open.
-                *value = f64::from(u8::from(*is_known));
+                *value = f64::from(u8::from(is_known));
                 row.fill(0.0);
                 continue;
             }
+            let size = size.max(TOUCHING * natural);
             *value /= size;
             row.iter_mut().for_each(|entry| *entry /= size);
         }

@@ -93,6 +93,11 @@ impl Numeric<'_> {
         self.system.coordinates[unknown].role.scale(self.size)
     }
 
+    /// Natural size of a row of Φ_q in scaled unknowns.
+    pub(crate) fn natural(&self, equation: &Equation) -> f64 {
+        self.size.powi(equation.dim.power_of_length().into())
+    }
+
     /// The problem of all equations in all unknowns.
     pub(crate) fn whole(&self) -> Problem<'_> {
         let (equations, unknowns): (Vec<usize>, Vec<usize>) =
@@ -124,6 +129,7 @@ impl Numeric<'_> {
         Problem {
             rows: rows.len(),
             is_known: rows.iter().map(|equation| equation.phi().is_some_and(|phi| is_known(self.model, self.system, phi))).collect(),
+            natural: rows.iter().map(|equation| self.natural(equation)).collect(),
             pattern,
             evaluator: Evaluator::new(&self.system.arena, &roots),
             shift: Vec::new(),

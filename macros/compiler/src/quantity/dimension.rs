@@ -86,6 +86,15 @@ impl Dim {
         time > 0 && [length, angle, mass] == [0; 3]
     }
 
+    /// As which power of a length a residual of this dimension is judged.
+    pub(crate) fn power_of_length(self) -> u8 {
+        match self {
+            Dim::ANGLE | Dim::NUMBER => 0,
+            Dim::LENGTH => 1,
+            _ => 2,
+        }
+    }
+
     /// The dimension of this name.
     pub(crate) fn named(name: &str) -> Option<Dim> {
         NAMED.iter().find(|(known, _)| *known == name).map(|(_, [l, a, t, m])| Dim::new(*l, *a, *t, *m))

@@ -4,6 +4,7 @@ use crate::expr::{Evaluator, Expr, Values, evaluate};
 use crate::model::Joint;
 use crate::numeric::Numeric;
 use crate::numeric::basis::{Basis, DEPENDENT, Matrix};
+use crate::numeric::least_squares::TOUCHING;
 use crate::numeric::samples::Pose;
 use crate::quantity::Role;
 use crate::structure::{Block, Structure, Subsystem};
@@ -60,7 +61,9 @@ impl Numeric<'_> {
                         row[*column] = value * self.scale(*unknown);
                     }
                 }
-                unit(row)
+                // A row that touches zero along the motion demands nothing there.
+                let touches = row.iter().all(|entry| entry.abs() < TOUCHING * self.natural(equation));
+                if touches { vec![0.0; row.len()] } else { unit(row) }
             };
             equations.iter().enumerate().map(row).collect()
         };
