@@ -154,6 +154,7 @@ where
     const LINKS: &'static [usize] = M::LINKS;
     const IS_REDUNDANT: bool = M::IS_REDUNDANT;
     const ITERATED: &'static [usize] = M::ITERATED;
+    const UNIQUE: &'static [usize] = M::UNIQUE;
     const MAY_BE_NON_FINITE: Option<&'static [usize]> = M::MAY_BE_NON_FINITE;
     const IN_PLACE: bool = F == 0 && M::IN_PLACE;
 

@@ -50,6 +50,9 @@ pub trait Sliced<T: SolverReal, const OUTPUT: usize, const N: usize, const WHOLE
     /// [`Stages::ITERATED`] of the slice.
     const ITERATED: &'static [usize];
 
+    /// [`Stages::UNIQUE`] of the slice.
+    const UNIQUE: &'static [usize] = &[];
+
     /// [`Stages::MAY_BE_NON_FINITE`] of the slice.
     const MAY_BE_NON_FINITE: &'static [usize];
 
@@ -334,6 +337,7 @@ where
     const COMPUTED_ANGLES: &'static [usize] = <M as Sliced<T, OUTPUT, N, WHOLE>>::COMPUTED_ANGLES;
     const IS_REDUNDANT: bool = <M as Sliced<T, OUTPUT, N, WHOLE>>::IS_REDUNDANT;
     const ITERATED: &'static [usize] = <M as Sliced<T, OUTPUT, N, WHOLE>>::ITERATED;
+    const UNIQUE: &'static [usize] = <M as Sliced<T, OUTPUT, N, WHOLE>>::UNIQUE;
     const MAY_BE_NON_FINITE: Option<&'static [usize]> = Some(<M as Sliced<T, OUTPUT, N, WHOLE>>::MAY_BE_NON_FINITE);
     const IN_PLACE: bool = <M as Sliced<T, OUTPUT, N, WHOLE>>::IN_PLACE;
 

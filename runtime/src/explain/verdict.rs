@@ -69,8 +69,10 @@ fn end_of_branch<T: Float, const N: usize>(
 /// The coordinate that grows beyond all bounds, and the approximate time; None if the motion does not diverge.
 ///
 /// ```text
-/// x = c / (t∞ − t)      t∞ = t + x / ẋ
+/// x = c / (t∞ − t)      t∞ = t + x / ẋ      x ẍ > ẋ²
 /// ```
+///
+/// A power of time has x ẍ < ẋ²: it grows for ever, and reaches every time.
 ///
 /// * `next`: given, s, a moment after `here`.
 fn diverging<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &State<T, N>, next: T) -> Option<(Cause<T>, T)> {
@@ -82,8 +84,8 @@ fn diverging<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &St
         }
     }
     let (index, size) = longest?;
-    let (&value, &rate) = (here.q.get(index)?, here.qd.get(index)?);
-    let grows = value * rate * (next - here.t) > T::of(0.0);
+    let (&value, &rate, &acceleration) = (here.q.get(index)?, here.qd.get(index)?, here.qdd.get(index)?);
+    let grows = value * rate * (next - here.t) > T::of(0.0) && value * acceleration > rate * rate;
     let is_far = size / length_of(mechanism.length) > T::of(FAR);
     let coordinate = names::coordinate(mechanism.coordinates, index);
     (is_far && grows).then(|| (Cause::Diverges { coordinate, value }, here.t + value / rate))

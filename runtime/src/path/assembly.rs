@@ -6,7 +6,8 @@
 //! line: an offset of 1 m may become 1e10 m, and whatever it moves goes as far. So the last step predicts the next one (a secant),
 //! and a long step is also accepted if the solution is close to the prediction, relative to the predicted change. Where the branch
 //! ends on the line, at a fold, the same branch may still exist at the parameters themselves: an assembly there is accepted if
-//! every determinant has the same sign as at the defaults; finding only another one is a failure.
+//! every determinant has the same sign as at the defaults; finding only another one is a failure. A block that is linear in its unknowns has
+//! no other solution, whatever its sign.
 
 use nalgebra::SVector;
 
@@ -67,15 +68,20 @@ pub(crate) fn assemble<T: Float, E: Stages<T, N>, const N: usize>(equations: &E)
         Err(Unfinished::TooFar) => return Err(alone(Cause::TooManySteps { steps: const { most_steps(N) } })),
     };
     let first = match near(&here.q) {
-        Ok(state) if state.branch == origin.branch => return Ok(state),
+        Ok(state) if has_same_signs::<T, E, N>(&state, &origin) => return Ok(state),
         other => other,
     };
     let second = match near(&start) {
-        Ok(state) if state.branch == origin.branch => return Ok(state),
+        Ok(state) if has_same_signs::<T, E, N>(&state, &origin) => return Ok(state),
         other => other,
     };
     let cause = why_not(&Followed::new(&equations), &here, [first, second]);
     Err(Unassembled { cause, end: end(equations, lambda, &here), last: Some(here) })
+}
+
+/// Whether the determinants of blocks that may have several solutions have the same signs.
+fn has_same_signs<T: Float, E: Stages<T, N>, const N: usize>(one: &State<T, N>, other: &State<T, N>) -> bool {
+    one.branch.iter().zip(&other.branch).enumerate().all(|(unknown, (one, other))| one == other || E::UNIQUE.contains(&unknown))
 }
 
 /// Why two guesses, from `here` and from the start, led to no state on the branch.

@@ -71,6 +71,7 @@ impl<T: SolverReal, E: Commanded<T> + Stages<T, N>, const N: usize> Stages<T, N>
     const LINKS: &'static [usize] = E::LINKS;
     const IS_REDUNDANT: bool = E::IS_REDUNDANT;
     const ITERATED: &'static [usize] = E::ITERATED;
+    const UNIQUE: &'static [usize] = E::UNIQUE;
     const MAY_BE_NON_FINITE: Option<&'static [usize]> = E::MAY_BE_NON_FINITE;
     const IN_PLACE: bool = E::IN_PLACE;
 

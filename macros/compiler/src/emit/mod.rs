@@ -240,7 +240,7 @@ fn plan_constant(model: &Model, system: &System, solution: &Solution) -> TokenSt
             let name = docs::equation_name(model, system, *equation);
             quote!(::reuleaux::PlanStage::Checked(#name))
         }
-        Summary::Block { unknowns, equations, cost, elimination, shape } => {
+        Summary::Block { unknowns, equations, cost, elimination, shape, .. } => {
             let unknowns = unknowns.iter().map(|unknown| docs::coordinate_name(model, system, *unknown));
             let equations = equations.iter().map(|equation| docs::equation_name(model, system, *equation));
             let elimination = match elimination {

@@ -7,7 +7,7 @@ use super::rolled::STRAIGHT;
 use super::routine::Cost;
 use super::runs::Runs;
 use super::stage::{Elimination, Iteration, Stage};
-use crate::expr::{Arena, Expr};
+use crate::expr::{Arena, Expr, Leaf};
 use std::collections::BTreeSet;
 
 /// Solution for q, q̇ and q̈.
@@ -45,6 +45,8 @@ pub enum Summary {
         elimination: Option<Box<Elimination>>,
         /// Number of its shape: blocks with the same number do the same operations.
         shape: usize,
+        /// True if the unknowns occur linearly: there is one solution at most.
+        is_linear: bool,
     },
     /// An equation that is checked, by index in Φ.
     Check(usize),
@@ -98,9 +100,13 @@ fn summary(arena: &Arena, stage: &Stage, blocks: &mut impl Iterator<Item = (usiz
         Stage::Explicit { unknown, motion, .. } => {
             Summary::Explicit { unknown: *unknown, moves: motion.iter().any(|expr| arena.as_constant(*expr).is_none()) }
         }
-        Stage::Block(Iteration { unknowns, equations, elimination, .. }) => {
+        Stage::Block(Iteration { unknowns, equations, elimination, jacobian, quaternions, .. }) => {
             let (shape, cost) = blocks.next().unwrap_or_default();
-            Summary::Block { unknowns: unknowns.clone(), equations: equations.clone(), cost, elimination: elimination.clone(), shape }
+            let is_solved_for = |leaf: Leaf| matches!(leaf, Leaf::Coordinate(unknown) if unknowns.contains(&(unknown as usize)));
+            let is_linear =
+                quaternions.is_empty() && jacobian.iter().flatten().all(|entry| !arena.leaves(*entry).into_iter().any(is_solved_for));
+            let (unknowns, equations, elimination) = (unknowns.clone(), equations.clone(), elimination.clone());
+            Summary::Block { unknowns, equations, cost, elimination, shape, is_linear }
         }
         Stage::Check { equation, .. } => Summary::Check(*equation),
     }

@@ -30,21 +30,29 @@ fn steady(mut entries: Vec<Entry>, values: &[(usize, Expr)], arena: &Arena) -> V
     entries
 }
 
-/// Parameters that joints require to be nonzero; `validate` checks them.
+/// Parameters that joints require to be nonzero, by themselves or in a product; `validate` checks them.
 fn nonzero_parameters(model: &Model, arena: &Arena) -> BTreeSet<u32> {
     let of_requirement = |requirement: &crate::model::Requirement| {
-        let Node::Leaf(Leaf::Parameter(number)) = arena.node(requirement.lhs) else { return None };
         let is_zero = arena.as_constant(requirement.rhs).is_some_and(|value| value.is_zero());
         let excludes_zero = matches!(requirement.relation, Relation::Different | Relation::Greater | Relation::Less);
-        (is_zero && excludes_zero).then_some(*number)
+        (is_zero && excludes_zero).then_some(requirement.lhs)
     };
-    model.requirements.iter().filter_map(of_requirement).collect()
+    let products: Vec<Expr> = model.requirements.iter().filter_map(of_requirement).collect();
+    let factors = arena.reachable_above(&products, |node| !is_product(node));
+    factors
+        .into_iter()
+        .filter_map(|factor| if let Node::Leaf(Leaf::Parameter(number)) = arena.node(factor) { Some(*number) } else { None })
+        .collect()
+}
+
+/// True for products and quotients, which are nonzero where their parts are.
+fn is_product(node: &Node) -> bool {
+    matches!(node, Node::Unary(Unary::Neg, _) | Node::Binary(Binary::Mul | Binary::Div, ..))
 }
 
 /// True if the value is nonzero in every state: nonzero constants and parameters, their products and quotients.
 fn is_pivot(arena: &Arena, value: Expr, nonzero: &BTreeSet<u32>) -> bool {
     let mut pivots = BTreeSet::new();
-    let is_product = |node: &Node| matches!(node, Node::Unary(Unary::Neg, _) | Node::Binary(Binary::Mul | Binary::Div, ..));
     for expr in arena.reachable_above(&[value], |node| !is_product(node)) {
         let holds = match arena.node(expr) {
             Node::Constant(value) => !value.is_zero(),

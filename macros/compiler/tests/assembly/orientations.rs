@@ -203,3 +203,43 @@ fn the_start_that_the_help_names_is_one_of_space() {
         (start(&accepted(&declared), "bob.displacement") - f64::sqrt(0.32f64.powi(2) - 0.1f64.powi(2) - 0.15f64.powi(2))).abs() < 1e-12
     );
 }
+
+/// Slider-cranks in planes of any direction, whose slide is redundant and has references at any angle about its axis. The cosine of one reference and the
+/// other axis touches zero along the whole motion, and has derivatives of nothing but rounding there.
+#[test]
+fn a_redundant_slide_lies_in_any_direction() {
+    let cross = |[a, b, c]: [f64; 3], [p, q, r]: [f64; 3]| [b * r - c * q, c * p - a * r, a * q - b * p];
+    let written = |v: [f64; 3], unit: &str| format!("({:?}{unit}, {:?}{unit}, {:?}{unit})", v[0], v[1], v[2]);
+    let mut random = crate::Random(7);
+    for law in ["0.3rad * sin(2rad_s * t)", "0.2rad_s * t"].into_iter().cycle().take(24) {
+        let mut vector = || [0; 3].map(|_| random.between(-1.0, 1.0));
+        let n = vector();
+        let (x, from) = (cross(n, vector()), vector());
+        let y = cross(n, x);
+        let [long, high] = [x, y].map(|v| 0.1 / v.iter().map(|part| part * part).sum::<f64>().sqrt());
+        let at = |a: f64, b: f64| [0, 1, 2].map(|k| a * long * x[k] + b * high * y[k]);
+        let (knee, end, u) = (at(0.4, 0.3), at(1.7, -0.2), at(1.0, 0.3));
+        let rod = [0, 1, 2].map(|k| end[k] - knee[k]);
+        let along = format!("axis n = {}; axis u = {} from {};", written(n, ""), written(u, ""), written(from, ""));
+        let source = format!(
+            "mechanism Slider in space {{
+                ground {{ {along} point C = {end}; }}
+                body crank {{ {along} point A = {knee}; }}
+                body rod {{ {along} point B = {rod}; start position = {knee}; }}
+                body slider {{ {along} start position = {end}; }}
+                joint o = revolute(ground.position, ground.n, crank.position, crank.n);
+                joint a = revolute(crank.A, crank.n, rod.position, rod.n);
+                joint b = revolute(rod.B, rod.n, slider.position, slider.n);
+                redundant joint g = translational(ground.C, ground.u, slider.position, slider.u);
+                drive d = drive_rotation(o, {law}); }}",
+            end = written(end, "m"),
+            knee = written(knee, "m"),
+            rod = written(rod, "m")
+        );
+        for axis in ["x", "y", "z"] {
+            let (found, right) =
+                (start(&accepted(&source), &format!("slider.{axis}")), end[["x", "y", "z"].iter().position(|k| *k == axis).unwrap()]);
+            assert!((found - right).abs() < 1e-12, "{source}: {found}, not {right}");
+        }
+    }
+}
