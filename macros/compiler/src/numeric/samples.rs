@@ -19,6 +19,9 @@ const WAYS: [f64; 6] = [0.05, 0.35, 0.8, 1.4, 2.2, 3.0];
 /// Parts of the first distance that are tried in turn where the range of the mechanism ends before it.
 const PARTS: &[f64] = &[1.0, 1.0 / 8.0, 1.0 / 64.0];
 
+/// On the last part, contradictions that grow with the square of the way do not show.
+const SHOWING: f64 = 0.1;
+
 /// Number of distances used for a large system.
 const FEW: usize = 3;
 
@@ -189,9 +192,18 @@ impl Numeric<'_> {
             for (number, way) in ways.iter().enumerate() {
                 // A mechanism may reach the end of its range, on one side as soon as it starts.
                 let parts = if number == 0 { PARTS } else { &PARTS[..1] };
-                let found = parts.iter().map(|part| at(side * way * part * unit, &here)).find(|found| !matches!(found, Ok(None)));
-                is_contradiction |= number == 0 && found == Some(Err(()));
-                let Some(Ok(Some(pose))) = found else { break };
+                let mut contradicts = false;
+                let found = parts.iter().find_map(|part| {
+                    if contradicts && *part < SHOWING {
+                        return None;
+                    }
+                    let found = at(side * way * part * unit, &here);
+                    contradicts |= found.is_err();
+                    found.ok().flatten()
+                });
+                // Equations that hold for a shorter way do not contradict each other: the travel ends before the longer one.
+                is_contradiction |= number == 0 && contradicts && found.is_none();
+                let Some(pose) = found else { break };
                 self.add(&mut samples, pose.clone());
                 is_led = true;
                 here = pose;

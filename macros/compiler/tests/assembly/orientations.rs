@@ -243,3 +243,20 @@ fn a_redundant_slide_lies_in_any_direction() {
         }
     }
 }
+
+/// A link of 100 mm holds a slide that the crank turns: 96 mm + 200 mm sin φ above the pivot of the link. Beyond sin φ = 0.02 it does not reach, and
+/// the redundant pivot fits all the same.
+#[test]
+fn a_redundant_joint_fits_although_the_travel_soon_ends() {
+    let source = "mechanism Held in space {
+        ground { axis z = (0, 0, 1) from (1, 0, 0); point D = (200mm, 0mm, 0mm); }
+        body crank { axis z = (0, 0, 1) from (1, 0, 0); axis x = (1, 0, 0) from (0, 1, 0); point G = (0mm, 96mm, 0mm); }
+        body slide { axis z = (0, 0, 1) from (1, 0, 0); axis x = (1, 0, 0) from (0, 1, 0); start position = (172mm, 96mm, 0mm); }
+        body link { axis z = (0, 0, 1) from (1, 0, 0); point C = (-28mm, 96mm, 0mm); start position = (200mm, 0mm, 0mm); }
+        joint o = revolute(ground.position, ground.z, crank.position, crank.z);
+        joint g = translational(crank.G, crank.x, slide.position, slide.x);
+        joint c = revolute(slide.position, slide.z, link.C, link.z);
+        redundant joint d = revolute(ground.D, ground.z, link.position, link.z);
+        drive motor = drive_rotation(o, 0.2rad_s * t); }";
+    assert!((start(&accepted(source), "slide.x") - 0.172).abs() < 1e-12);
+}
