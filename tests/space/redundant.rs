@@ -39,6 +39,47 @@ fn a_redundant_hinge_whose_axis_is_askew_in_its_bodies_holds_to_rounding() {
 }
 
 mechanism! {
+    /// A four-bar in a plane through x that a parameter tilts: the equations that are solved are chosen where it lies in x and y.
+    pub(crate) mechanism Tilted in space {
+        param tilt: Angle = 0deg;
+        let along = (0, -sin(tilt), cos(tilt));
+        ground { axis n = along from (1, 0, 0);  point D = (150mm, 0mm, 0mm); }
+        body crank   { axis n = (0, 0, 1) from (1, 0, 0);  point B = (40mm, 0mm, 0mm); }
+        body coupler { axis n = (0, 0, 1) from (1, 0, 0);  point C = (120mm, 0mm, 0mm); }
+        body rocker  { axis n = (0, 0, 1) from (1, 0, 0);  point C = (100mm, 0mm, 0mm); }
+        joint a = revolute(ground.position, ground.n, crank.position, crank.n);
+        joint b = revolute(crank.B, crank.n, coupler.position, coupler.n);
+        redundant joint c = revolute(coupler.C, coupler.n, rocker.C, rocker.n);
+        joint d = revolute(ground.D, ground.n, rocker.position, rocker.n);
+        start b.angle = 10deg;
+        start d.angle = 100deg;
+        drive motor = drive_rotation(a, 0.4rad + 1rad_s * t);
+        output pin = rocker.C;
+    }
+}
+
+/// Where the circles of coupler and rocker meet, on the left of the line from the crank pin to the rocker's pivot.
+#[test]
+fn a_loop_whose_plane_a_parameter_tilts_stays_assembled() {
+    for tilt in [0.0, 30.0, 89.0, 91.0, 135.0, 180.0, 200.0, 269.0, 300.0, -120.0_f64] {
+        let tilted = Tilted { tilt: tilt.to_radians() };
+        for t in [0.0, 0.5] {
+            let state = tilted.solve(t).unwrap_or_else(|failure| panic!("{tilt}°: {failure}"));
+            let crank = [0.04 * (0.4 + t).cos(), 0.04 * (0.4 + t).sin()];
+            let (dx, dy) = (0.15 - crank[0], -crank[1]);
+            let square = dx * dx + dy * dy;
+            let along = 0.5 + (0.12 * 0.12 - 0.1 * 0.1) / (2.0 * square);
+            let across = (0.12 * 0.12 / square - along * along).sqrt();
+            let (x, y) = (crank[0] + along * dx - across * dy, crank[1] + along * dy + across * dx);
+            let (sine, cosine) = tilt.to_radians().sin_cos();
+            let pin = tilted.pin(&state).value;
+            let off = [pin.x - x, pin.y - y * cosine, pin.z - y * sine].map(f64::abs).into_iter().fold(0.0, f64::max);
+            assert!(off < 1e-15 * state.condition.max(4.0), "{tilt}°, {t} s: {off:e}, condition {}", state.condition);
+        }
+    }
+}
+
+mechanism! {
     /// A slide on two guides, of which the second axis differs from the first in the last digit.
     pub(crate) mechanism Guided in space {
         ground { axis u = (0.6, 0.8, 0) from (0, 0, 1);  axis v = (0.6, 0.8, 0) from (0, 0, 1); }

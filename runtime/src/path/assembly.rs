@@ -37,6 +37,12 @@ const SURPRISE: f64 = 0.05;
 /// Largest change of an angle in one step, in rad.
 const LONGEST_TURN: f64 = 0.8;
 
+/// A state of a smaller condition is far from any place where the equations lose rank.
+const CLEAR: f64 = 1e4;
+
+/// Largest number of places that are leaped over.
+const MOST_LEAPS: usize = 4;
+
 /// Why there is no first state.
 pub(crate) struct Unassembled<T, const N: usize> {
     pub(crate) cause: Cause<T>,
@@ -133,6 +139,7 @@ fn follow<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, origin: &Sta
     let (mut here, mut reached, mut step) = (origin.clone(), zero, one);
     // dq/dλ, from the last step.
     let mut slope = SVector::from_element(zero);
+    let (mut clear, mut leaps) = (None, 0);
     for _ in 0..const { most_steps(N) } {
         let next = if reached + step < one { reached + step } else { one };
         let between = if next < one { equations.interpolated(next) } else { None };
@@ -142,16 +149,46 @@ fn follow<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, origin: &Sta
             Ok((state, _)) if next < one => {
                 slope = divided(&difference(&state.q, &here.q), by);
                 (here, reached, step) = (state, next, step + step);
+                if E::IS_REDUNDANT && here.condition < T::of(CLEAR) {
+                    clear = Some((here.clone(), reached, slope));
+                }
             }
             Ok(found) => return Ok(found),
             Err(_) => step = T::of(0.5) * by,
         }
         // Rounding errors of the parameters move a fold by about this much; those of the defaults are smaller than any step.
         if step < T::ROOT_EPSILON * reached + T::EPSILON * T::EPSILON && !turns(equations, &slope, step) {
+            if leaps < MOST_LEAPS
+                && let Some(before) = &clear
+                && let Some((state, beyond)) = leap(equations, before, reached)
+            {
+                slope = divided(&difference(&state.q, &before.0.q), beyond - before.1);
+                (here, reached, step, leaps) = (state, beyond, beyond - reached, leaps + 1);
+                continue;
+            }
             return Err(Unfinished::BranchEnds(reached, here));
         }
     }
     Err(Unfinished::TooFar)
+}
+
+/// The state beyond the place λ where the equations that are solved lose rank, as those of a loop in a plane in which they have no components any
+/// longer, and the λ there: the redundant equations hold, and it is where the state `before` leads.
+#[cold]
+fn leap<T: Float, E: Stages<T, N>, const N: usize>(
+    equations: &E,
+    (before, from, slope): &(State<T, N>, T, SVector<T, N>),
+    place: T,
+) -> Option<(State<T, N>, T)> {
+    let (one, beyond) = (T::of(1.0), place + (place - *from));
+    let beyond = if beyond < one { beyond } else { return None };
+    let between = &equations.interpolated(beyond)?;
+    let mechanism = Followed::new(&between);
+    let predicted = moved(&before.q, beyond - *from, slope);
+    match cold_state(&mechanism, T::of(0.0), ColdSolver::from_guess(&mechanism, &predicted)) {
+        Ok((found, None)) if is_as_predicted(&mechanism, &before.q, &predicted, &found, T::of(SURPRISE)) => Some((found, beyond)),
+        _ => None,
+    }
 }
 
 /// Largest number of steps for this number of coordinates.

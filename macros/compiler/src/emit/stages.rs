@@ -49,7 +49,7 @@ impl Emitter<'_> {
     pub(super) fn lists(&self, solution: &Solution, shelf: &StateLayout) -> TokenStream {
         let (angles, iterated) = (self.computed_angles(solution, shelf), iterated(solution, shelf));
         let unsure = unsure(solution, shelf);
-        let (tested, unique) = (self.tested(solution, shelf), unique(solution, shelf));
+        let (tested, unique) = (self.tested(solution, shelf), self.unique(solution, shelf));
         quote! {
             #angles
             #tested
@@ -62,8 +62,19 @@ impl Emitter<'_> {
     /// The same of a slice
     pub(super) fn lists_of_slice(&self, solution: &Solution, shelf: &StateLayout) -> TokenStream {
         let (angles, iterated) = (self.computed_angles(solution, shelf), iterated(solution, shelf));
-        let (unsure, tested, unique) = (unsure(solution, shelf), self.tested(solution, shelf), unique(solution, shelf));
+        let (unsure, tested, unique) = (unsure(solution, shelf), self.tested(solution, shelf), self.unique(solution, shelf));
         quote!(#angles #tested #iterated #unique const MAY_BE_NON_FINITE: &'static [::core::primitive::usize] = &[#unsure];)
+    }
+
+    /// The first unknowns of blocks with one solution, if there are any, and parameters that can change the signs of their determinants
+    fn unique(&self, solution: &Solution, shelf: &StateLayout) -> Option<TokenStream> {
+        let blocks = solution.stages.iter().filter_map(|stage| match stage {
+            Summary::Block { unknowns, is_linear: true, .. } => unknowns.first(),
+            _ => None,
+        });
+        let first: Vec<Literal> = blocks.filter_map(|unknown| shelf.place(*unknown)).map(Literal::usize_unsuffixed).collect();
+        (!first.is_empty() && !self.model.parameters.is_empty())
+            .then(|| quote!(const UNIQUE: &'static [::core::primitive::usize] = &[#(#first),*];))
     }
 
     /// The binary links, and whether equations are verified, where there are any. Mechanisms with slices have no links.
@@ -323,14 +334,4 @@ fn iterated(solution: &Solution, shelf: &StateLayout) -> TokenStream {
     });
     let unknowns = blocks.flatten().filter_map(|unknown| shelf.place(*unknown)).map(Literal::usize_unsuffixed);
     quote!(const ITERATED: &'static [::core::primitive::usize] = &[#(#unknowns),*];)
-}
-
-/// The first unknowns of blocks with one solution, if there are any
-fn unique(solution: &Solution, shelf: &StateLayout) -> Option<TokenStream> {
-    let blocks = solution.stages.iter().filter_map(|stage| match stage {
-        Summary::Block { unknowns, is_linear: true, .. } => unknowns.first(),
-        _ => None,
-    });
-    let first: Vec<Literal> = blocks.filter_map(|unknown| shelf.place(*unknown)).map(Literal::usize_unsuffixed).collect();
-    (!first.is_empty()).then(|| quote!(const UNIQUE: &'static [::core::primitive::usize] = &[#(#first),*];))
 }
