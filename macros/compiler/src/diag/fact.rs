@@ -334,7 +334,7 @@ pub enum EquationFact {
     InputIn { place: &'static str, input: String },
     InputInJoint { joint: String, input: String },
     TimeInDefinition,
-    TimeInJoint { joint: String },
+    TimeInJoint { joint: String, has_places: bool },
     RequirementFails { why: String, instead: Option<String> },
     RequirementFailsAtDefaults { why: String, value: f64 },
     RowOfNothing { joint: String, row: usize, of: usize, at_defaults: bool },

@@ -2,104 +2,164 @@
 
 use crate::diag::{AngleOf, Doubt, Range, Warning};
 use crate::library;
-use crate::syntax::ast::{Expression, ExpressionKind, Item, JointBody, Mechanism, Operator, Statement, every_item};
+use crate::quantity::Dim;
+use crate::syntax::ast::{Expression, ExpressionKind, Item, JointBody, Marks, Mechanism, Operator, Statement, every_item};
 use proc_macro2::Ident;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Drives that prescribe an angle.
 const DRIVES: [&str; 3] = ["drive_angle", "drive_relative_angle", "drive_rotation"];
 
 /// Warnings about starts of angles, constant laws of drives, and sines, cosines and tangents, of bare numbers that are probably degrees.
 pub(crate) fn bare_angles(tree: &Mechanism) -> Vec<Warning> {
-    let mut found = Vec::new();
-    every_item(&tree.items).for_each(|item| of_item(item, &mut found));
-    found
+    let mut search = AngleSearch::default();
+    for item in every_item(&tree.items) {
+        match item {
+            Item::Let(binding) => search.name(&binding.name, &binding.value),
+            Item::Parameter(parameter) if parameter.dimension.dim() == Some(Dim::NUMBER) => {
+                search.name(&parameter.name, &parameter.default)
+            }
+            Item::For(repeated) => search.variables.extend([repeated.variable.to_string()]),
+            _ => {}
+        }
+    }
+    every_item(&tree.items).for_each(|item| search.of_item(item));
+    search.found
 }
 
-fn of_item(item: &Item, found: &mut Vec<Warning>) {
-    match item {
-        Item::Parameter(parameter) | Item::Input(parameter) => of(&parameter.default, found),
-        Item::Let(binding) => of(&binding.value, found),
-        Item::Function(function) => of(&function.value, found),
-        Item::Joint(joint) | Item::Force(joint) => of_joint(&joint.body, found),
-        Item::Output(output) => of(&output.value, found),
-        Item::Start(start) => {
-            if names_angle(&start.quantity) {
-                of_angle(AngleOf::Start, &start.value, found);
+/// AngleSearch for bare numbers in the place of angles.
+#[derive(Default)]
+struct AngleSearch {
+    /// Named numbers beyond a turn in radians, as written.
+    numbers: BTreeMap<String, (String, Range)>,
+    /// Variables of loops.
+    variables: BTreeSet<String>,
+    found: Vec<Warning>,
+}
+
+impl AngleSearch {
+    fn name(&mut self, name: &Ident, value: &Expression) {
+        if let Some(number) = beyond_a_turn(value) {
+            self.numbers.insert(name.to_string(), number);
+        }
+    }
+
+    fn of_item(&mut self, item: &Item) {
+        match item {
+            Item::Parameter(parameter) | Item::Input(parameter) => self.of(&parameter.default),
+            Item::Let(binding) => self.of(&binding.value),
+            Item::Function(function) => self.of(&function.value),
+            Item::Joint(joint) | Item::Force(joint) => self.of_joint(&joint.body),
+            Item::Output(output) => self.of(&output.value),
+            Item::Start(start) => {
+                if names_angle(&start.quantity) {
+                    self.of_angle(AngleOf::Start, &start.value);
+                }
+                self.of(&start.value);
             }
-            of(&start.value, found);
+            Item::Ground(frame) | Item::Body(frame) => {
+                self.of_marks(&frame.marks);
+                frame.starts.iter().filter(|start| start.what == "angle").for_each(|start| self.of_angle(AngleOf::Start, &start.value));
+                frame.starts.iter().for_each(|start| self.of(&start.value));
+            }
+            Item::Part(part) => part.arguments.iter().for_each(|argument| self.of(&argument.value)),
+            Item::Use(_) | Item::Gravity(_) | Item::Range(_) | Item::Refused(_) | Item::Component(_) | Item::For(_) => {}
         }
-        Item::Ground(frame) | Item::Body(frame) => {
-            frame.marks.single.iter().for_each(|mark| of(&mark.value, found));
-            frame.starts.iter().filter(|start| start.what == "angle").for_each(|start| of_angle(AngleOf::Start, &start.value, found));
-            frame.starts.iter().for_each(|start| of(&start.value, found));
+    }
+
+    fn of_joint(&mut self, body: &JointBody) {
+        match body {
+            JointBody::Of { kind, arguments } => {
+                arguments.iter().for_each(|argument| self.of(&argument.value));
+                if let Some(law) = arguments.last().filter(|_| DRIVES.iter().any(|drive| kind == drive)) {
+                    self.of_angle(AngleOf::Law, &law.value);
+                }
+            }
+            JointBody::Equations(statements) => statements.iter().for_each(|statement| match statement {
+                Statement::Let(binding) => self.of(&binding.value),
+                Statement::Equation(one, two) => [one, two].into_iter().for_each(|side| self.of(side)),
+                Statement::Apply(applied) => self.of(&applied.value),
+                Statement::Potential(energy) => self.of(energy),
+                Statement::Require(_) | Statement::Add(_) => {}
+            }),
+            JointBody::Freedom(freedom) => {
+                self.of(&freedom.value);
+                if let Some(from) = freedom.from.as_ref().filter(|_| names_angle(&freedom.value)) {
+                    self.of_angle(AngleOf::Start, from);
+                }
+            }
+            JointBody::Energy(value) | JointBody::Value(value) => self.of(value),
         }
-        Item::Part(part) => part.arguments.iter().for_each(|argument| of(&argument.value, found)),
-        Item::Use(_) | Item::Gravity(_) | Item::Range(_) | Item::Refused(_) | Item::Component(_) | Item::For(_) => {}
+    }
+
+    fn of_marks(&mut self, marks: &Marks) {
+        marks.single.iter().for_each(|mark| self.of(&mark.value));
+        for repeated in &marks.loops {
+            self.variables.insert(repeated.variable.to_string());
+            self.of_marks(&repeated.items);
+        }
+    }
+
+    fn of(&mut self, expr: &Expression) {
+        expr.each(&mut |part| {
+            let ExpressionKind::Call(path, arguments) = &part.kind else { return };
+            let name = path.name.as_ref().map(ToString::to_string).filter(|name| ["sin", "cos", "tan"].contains(&name.as_str()));
+            if let (Some(function), [argument]) = (name, arguments.as_slice()) {
+                self.of_angle(AngleOf::Function(function), argument);
+            }
+        });
+    }
+
+    fn of_angle(&mut self, of: AngleOf, value: &Expression) {
+        let of = if is_number(value) { of } else { AngleOf::Part };
+        let warning = self.degrees(value).map(|(number, range)| Warning { doubt: Doubt::BareAngle { of, number }, range });
+        self.found.extend(warning);
+    }
+
+    /// A bare number of more than a turn in radians, as written: it is rather one of degrees. Also where it is a term, a factor of a sine, of a law
+    /// or of the variable of a loop, or has a name, which is said once.
+    fn degrees(&mut self, argument: &Expression) -> Option<(String, Range)> {
+        match &argument.kind {
+            ExpressionKind::Negative(inner) if is_number(inner) => {
+                beyond_a_turn(inner).map(|(number, _)| (format!("-{number}"), argument.range))
+            }
+            ExpressionKind::Negative(inner) => self.degrees(inner),
+            ExpressionKind::Number { .. } => beyond_a_turn(argument),
+            ExpressionKind::Path(_) => self.numbers.remove(&argument.name()?.to_string()),
+            ExpressionKind::Binary(Operator::Add | Operator::Sub, one, two) => self.degrees(one).or_else(|| self.degrees(two)),
+            ExpressionKind::Binary(Operator::Mul, one, two) => {
+                let is_named = |factor: &Expression| matches!(&factor.kind, ExpressionKind::Path(_));
+                match [(one, two), (two, one)].into_iter().find(|(_, other)| is_wave(other) || self.counts(other)) {
+                    Some((factor, _)) if is_number(factor) || is_named(factor) => self.degrees(factor),
+                    _ => None,
+                }
+            }
+            _ => None,
+        }
+    }
+
+    /// True for the variable of a loop, and for sums with numbers.
+    fn counts(&self, value: &Expression) -> bool {
+        match &value.kind {
+            ExpressionKind::Path(_) => value.name().is_some_and(|name| self.variables.contains(&name.to_string())),
+            ExpressionKind::Binary(Operator::Add | Operator::Sub, one, two) => {
+                self.counts(one) && is_number(two) || is_number(one) && self.counts(two)
+            }
+            _ => false,
+        }
     }
 }
 
-fn of_joint(body: &JointBody, found: &mut Vec<Warning>) {
-    match body {
-        JointBody::Of { kind, arguments } => {
-            arguments.iter().for_each(|argument| of(&argument.value, found));
-            if let Some(law) = arguments.last().filter(|_| DRIVES.iter().any(|drive| kind == drive)) {
-                of_angle(AngleOf::Law, &law.value, found);
-            }
-        }
-        JointBody::Equations(statements) => statements.iter().for_each(|statement| match statement {
-            Statement::Let(binding) => of(&binding.value, found),
-            Statement::Equation(one, two) => [one, two].into_iter().for_each(|side| of(side, found)),
-            Statement::Apply(applied) => of(&applied.value, found),
-            Statement::Potential(energy) => of(energy, found),
-            Statement::Require(_) | Statement::Add(_) => {}
-        }),
-        JointBody::Freedom(freedom) => {
-            of(&freedom.value, found);
-            if let Some(from) = freedom.from.as_ref().filter(|_| names_angle(&freedom.value)) {
-                of_angle(AngleOf::Start, from, found);
-            }
-        }
-        JointBody::Energy(value) | JointBody::Value(value) => of(value, found),
-    }
-}
-
-fn of(expr: &Expression, found: &mut Vec<Warning>) {
-    expr.each(&mut |part| {
-        let ExpressionKind::Call(path, arguments) = &part.kind else { return };
-        let name = path.name.as_ref().map(ToString::to_string).filter(|name| ["sin", "cos", "tan"].contains(&name.as_str()));
-        if let (Some(function), [argument]) = (name, arguments.as_slice()) {
-            of_angle(AngleOf::Function(function), argument, found);
-        }
-    });
+/// A bare number of more than a turn in radians, as written.
+fn beyond_a_turn(value: &Expression) -> Option<(String, Range)> {
+    let ExpressionKind::Number { digits, unit } = &value.kind else { return None };
+    let is_large = unit.is_empty() && digits.parse::<f64>().is_ok_and(|value| value > std::f64::consts::TAU);
+    is_large.then(|| (digits.clone(), value.range))
 }
 
 /// True for `body.angle` and `joint.angle`.
 fn names_angle(value: &Expression) -> bool {
     matches!(&value.kind, ExpressionKind::Field(_, name) if name == "angle")
-}
-
-fn of_angle(of: AngleOf, value: &Expression, found: &mut Vec<Warning>) {
-    let of = if is_number(value) { of } else { AngleOf::Part };
-    found.extend(degrees(value).map(|(number, range)| Warning { doubt: Doubt::BareAngle { of, number }, range }));
-}
-
-/// A bare number of more than a turn in radians, as written: it is rather one of degrees. Also where it is a term, or a factor of a sine or a law.
-fn degrees(argument: &Expression) -> Option<(String, Range)> {
-    match &argument.kind {
-        ExpressionKind::Negative(inner) if is_number(inner) => degrees(inner).map(|(number, _)| (format!("-{number}"), argument.range)),
-        ExpressionKind::Negative(inner) => degrees(inner),
-        ExpressionKind::Number { digits, unit } if unit.is_empty() => {
-            let is_large = digits.parse::<f64>().is_ok_and(|value| value > std::f64::consts::TAU);
-            is_large.then(|| (digits.clone(), argument.range))
-        }
-        ExpressionKind::Binary(Operator::Add | Operator::Sub, one, two) => degrees(one).or_else(|| degrees(two)),
-        ExpressionKind::Binary(Operator::Mul, one, two) => match (is_number(one), is_wave(two), is_wave(one)) {
-            (true, true, _) => degrees(one),
-            (_, _, true) if is_number(two) => degrees(two),
-            _ => None,
-        },
-        _ => None,
-    }
 }
 
 /// True for a literal with or without a sign.

@@ -17,7 +17,7 @@ mod value;
 
 pub(crate) use key::Key;
 pub(crate) use kind::{nearest_kind, unknown_kind};
-pub(crate) use order::{completed, fitted, reordered};
+pub(crate) use order::{as_written, completed, fitted, reordered};
 pub(crate) use register::{
     FixedValue, HEIGHT, INPUT_PARTS, Notes, OpenPart, Register, Written, duplicate, is_one_of_many, misread_height, unknown_field,
 };

@@ -8,33 +8,61 @@ use crate::expr::Arena;
 use crate::quantity::Ambient;
 use crate::syntax::ast::{Argument, Definition, Formal, FormalKind};
 
-/// For each argument the first parameter that it fits behind that of the argument before it; `None` if one fits none.
+/// For each argument the first parameter that it fits behind that of the argument before it; `None` if one fits none. A body stands for its origin.
 pub(crate) fn fitted(arena: &Arena, definition: &Definition, values: &[Value]) -> Option<Vec<usize>> {
     let mut open = definition.parameters.iter().enumerate();
-    values.iter().map(|value| open.find(|(_, formal)| fits(arena, &formal.kind, value)).map(|(place, _)| place)).collect()
+    let takes = |formal: &Formal, value: &Value| fits(arena, &formal.kind, value) || stands_for_point(formal, value);
+    values.iter().map(|value| open.find(|(_, formal)| takes(formal, value)).map(|(place, _)| place)).collect()
 }
 
-/// The call with ground for a body that is missing, before the other one, and the direction of x for an axis in the plane; `None` if
-/// something else is missing. `given`: each argument with the number of its parameter.
+/// True for what is written as a place in ground.
+fn is_of_ground(written: &str) -> bool {
+    written.starts_with('(') || written == "ground" || written.starts_with("ground.")
+}
+
+/// True for a body in the place of a point.
+fn stands_for_point(formal: &Formal, value: &Value) -> bool {
+    matches!((&formal.kind, value), (FormalKind::Point, Value::Body(_)))
+}
+
+/// Arguments with the numbers of their parameters, as they are written for these.
+pub(crate) fn as_written(definition: &Definition, places: &[usize], given: &[Argument], values: &[Value]) -> Vec<(usize, String)> {
+    let written = |((place, argument), value): ((&usize, &Argument), &Value)| {
+        let point = if stands_for_point(&definition.parameters[*place], value) { ".position" } else { "" };
+        (*place, format!("{}{point}", argument.value))
+    };
+    places.iter().zip(given).zip(values).map(written).collect()
+}
+
+/// The call with ground for a body or a point that is missing, before the other one if that stands beside it, and the direction of x for an axis in the
+/// plane; `None` if something else is missing. `given`: each argument with the number of its parameter.
 pub(crate) fn completed(definition: &Definition, given: &[(usize, String)], ambient: Ambient) -> Option<String> {
-    let mut written: Vec<(bool, String)> = Vec::new();
-    let bodies = definition.parameters.iter().enumerate().filter(|(_, formal)| matches!(formal.kind, FormalKind::Body));
-    let bodies: Vec<usize> = bodies.map(|(index, _)| index).collect();
-    let missing = bodies.iter().filter(|index| given.iter().all(|(place, _)| place != *index)).count();
-    // Ground stands beside the one that is there.
-    if missing > 1 || missing == 1 && !matches!(bodies.as_slice(), [one, two] if one + 1 == *two) {
+    let is_given = |index: usize| given.iter().any(|(place, _)| *place == index);
+    let missing = |is_of: fn(&FormalKind) -> bool| {
+        let of_kind = definition.parameters.iter().enumerate().filter(|(_, formal)| is_of(&formal.kind) && formal.default.is_none());
+        of_kind.filter(|(index, _)| !is_given(*index)).count()
+    };
+    // What is missing is of ground, which is one body.
+    if missing(|kind| matches!(kind, FormalKind::Body)) > 1 || missing(|kind| matches!(kind, FormalKind::Point)) > 1 {
         return None;
     }
+    let mut written: Vec<(usize, String)> = Vec::new();
     for (index, formal) in definition.parameters.iter().enumerate() {
-        let is_body = matches!(formal.kind, FormalKind::Body);
+        let is_like = |place: usize| std::mem::discriminant(&definition.parameters[place].kind) == std::mem::discriminant(&formal.kind);
+        let beside = index.checked_sub(1).filter(|before| is_like(*before) && is_given(*before));
         match (given.iter().find(|(place, _)| *place == index), &formal.kind) {
-            (Some((_, text)), _) => written.push((is_body, text.clone())),
+            (Some((_, text)), _) => written.push((index, text.clone())),
             (None, _) if formal.default.is_some() => {}
-            (None, FormalKind::Body) => {
-                let first = written.iter().position(|(is_body, _)| *is_body).unwrap_or(written.len());
-                written.insert(first, (true, "ground".to_owned()));
+            (None, FormalKind::Body | FormalKind::Point) => {
+                let ground = if matches!(formal.kind, FormalKind::Body) { "ground" } else { "ground.position" };
+                let place = if beside.is_some() { written.len() - 1 } else { written.len() };
+                // Two of ground are one too many.
+                if beside.is_some() && is_of_ground(&written[place].1) {
+                    return None;
+                }
+                written.insert(place, (index, ground.to_owned()));
             }
-            (None, FormalKind::Axis) if ambient == Ambient::Plane => written.push((false, "(1, 0)".to_owned())),
+            (None, FormalKind::Axis) if ambient == Ambient::Plane => written.push((index, "(1, 0)".to_owned())),
             (None, _) => return None,
         }
     }

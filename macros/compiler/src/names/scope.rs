@@ -23,8 +23,8 @@ pub(crate) struct Scope {
 pub(crate) enum Timeless {
     /// A start value, a point and the like.
     Place(&'static str),
-    /// The joint of this name.
-    Joint(String),
+    /// The joint of this name; true if it takes points that might be meant to move.
+    Joint(String, bool),
 }
 
 impl Scope {

@@ -354,7 +354,9 @@ impl Elaborator<'_> {
     fn time(&mut self, range: Range, scope: &Scope) -> Option<Value> {
         match &scope.timeless {
             Some(Timeless::Place(place)) => return self.refuse(range, EquationFact::TimeIn { place }),
-            Some(Timeless::Joint(joint)) => return self.refuse(range, EquationFact::TimeInJoint { joint: joint.clone() }),
+            Some(Timeless::Joint(joint, has_places)) => {
+                return self.refuse(range, EquationFact::TimeInJoint { joint: joint.clone(), has_places: *has_places });
+            }
             None => {}
         }
         Some(Value::Scalar(Scalar { expr: self.arena.leaf(Leaf::Time), measure: InferredDim::Known(Dim::TIME) }))
@@ -365,7 +367,7 @@ impl Elaborator<'_> {
         let (word, is_input) = (self.names.group(group).word.clone(), self.names.group(group).sort == Sort::Input);
         match &scope.timeless {
             Some(Timeless::Place(place)) if is_input => self.refuse(range, EquationFact::InputIn { place, input: word }),
-            Some(Timeless::Joint(joint)) if is_input => {
+            Some(Timeless::Joint(joint, _)) if is_input => {
                 self.refuse(range, EquationFact::InputInJoint { joint: joint.clone(), input: word })
             }
             _ => Some(()),

@@ -117,7 +117,7 @@ impl Elaborator<'_> {
                 range,
                 match input {
                     Some(input) => EquationFact::InputInJoint { joint: name, input },
-                    None => EquationFact::TimeInJoint { joint: name },
+                    None => EquationFact::TimeInJoint { joint: name, has_places: joint.takes_places() },
                 },
             );
         }

@@ -3,7 +3,7 @@
 use super::elaborate::Elaborator;
 use crate::diag::{ArityFact, MeantFor};
 use crate::hints::point_of;
-use crate::names::{Entity, FrameId, Scope, Value, completed, fitted, reordered, signature, too_few};
+use crate::names::{Entity, FrameId, Scope, Value, as_written, completed, fitted, reordered, signature, too_few};
 use crate::quantity::Ambient;
 use crate::syntax::ast::{Argument, Definition, Formal, FormalKind, JointBody};
 use proc_macro2::Ident;
@@ -41,8 +41,7 @@ impl Elaborator<'_> {
         let Some(places) = fitted(&self.arena, definition, &values).filter(|places| !places.is_empty()) else { return Some(()) };
         let is_missing = |(index, formal): &(usize, &Formal)| formal.default.is_none() && !places.contains(index);
         let missing: Vec<&Formal> = definition.parameters.iter().enumerate().filter(is_missing).map(|(_, formal)| formal).collect();
-        let written: Vec<(usize, String)> =
-            places.iter().zip(given).map(|(place, argument)| (*place, argument.value.to_string())).collect();
+        let written = as_written(definition, &places, given, &values);
         let are_axes = missing.iter().all(|formal| matches!(formal.kind, FormalKind::Axis));
         let are_points = missing.iter().all(|formal| matches!(formal.kind, FormalKind::Point)) && matches!(values[0], Value::Axis(_));
         if self.names.ambient == Ambient::Space && (are_axes || are_points) {
@@ -50,7 +49,9 @@ impl Elaborator<'_> {
             return fact.map_or(Some(()), |fact| self.refuse(kind, fact));
         }
         // In order up to the end: the last ones are missing.
-        if places.iter().copied().eq(0..places.len()) {
+        let is_as_given =
+            places.iter().copied().eq(0..places.len()) && written.iter().zip(given).all(|((_, text), one)| *text == one.value.to_string());
+        if is_as_given && !missing.iter().all(|formal| matches!(formal.kind, FormalKind::Point)) {
             return Some(());
         }
         let names = missing.iter().map(|formal| formal.name.to_string()).collect();

@@ -312,6 +312,13 @@ impl JointItem {
     pub(crate) fn is_freedom(&self) -> bool {
         matches!(self.body, JointBody::Freedom(_))
     }
+
+    /// True for a constraint that is no drive, and may take points.
+    #[must_use]
+    pub(crate) fn takes_places(&self) -> bool {
+        let is_of_numbers = |kind: &str| ["drive_", "absolute_", "relative_"].iter().any(|begin| kind.starts_with(begin));
+        matches!(&self.body, JointBody::Of { kind, .. } if !is_of_numbers(&kind.to_string()))
+    }
 }
 
 /// Equations of a joint: an instance of a constraint, or written inline; of a freedom, its quantity.

@@ -391,6 +391,9 @@ fn input_item(input: ParseStream, docs: Docs) -> Parsed<ParameterItem> {
     Ident::parse_any(input)?;
     let (name, indices) = declared(input, "the name of the input")?;
     no_drive(input, &name)?;
+    if input.peek(Token![=]) {
+        return without_dimension(input, &name);
+    }
     let dimension = required_dimension(input)?;
     let default = if input.peek(Token![=]) {
         equals(input)?;

@@ -173,6 +173,10 @@ fn instance(input: ParseStream) -> Parsed<JointBody> {
     }
     let kind = name(input, "a constraint such as `revolute(…)`, or `{ lhs == rhs; }`")?;
     if !input.peek(token::Paren) {
+        if kind == "redundant" && input.peek(syn::Ident) {
+            let instead = format!("redundant joint name = {}(…);", name(input, "a constraint")?);
+            return wrong(kind.span(), GrammarFact::Misspelt { flaw: "`redundant` stands before `joint`", instead });
+        }
         return expected(input, "`(` and the arguments");
     }
     let arguments = arguments(input)?;

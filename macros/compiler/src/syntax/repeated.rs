@@ -43,6 +43,11 @@ pub(super) fn component(input: ParseStream, docs: Docs, outer: Option<Ambient>, 
 pub(super) fn part(input: ParseStream, docs: Docs) -> Parsed<PartItem> {
     Ident::parse_any(input)?;
     let (name, indices) = declared(input, "the name of the part")?;
+    if input.peek(syn::Ident) && input.peek2(token::Paren) {
+        let (own, range) = (self::name(input, "the name of the part")?, name.span());
+        let instead = format!("part {own} = {name}{};", statement_text(input)?);
+        return wrong(range, GrammarFact::Misspelt { flaw: "a part has its name first", instead });
+    }
     equals(input)?;
     let kind = self::name(input, "a component, as in `Leg(…)`")?;
     if !input.peek(token::Paren) {

@@ -53,7 +53,7 @@ const FUNCTIONS: [(&[&str], &str, &str); 41] = [
     ),
     (&["rise", "fall", "dwell"], ": it is a segment of a law", "write `segments(t, 0mm, [rise(10mm, 1s, cycloidal), dwell(1s)])`"),
     (
-        &["cubic", "quintic", "septic", "parabolic", "sinusoidal"],
+        &["cubic", "septic", "parabolic", "sinusoidal"],
         "",
         "laws from 0 to 1 are `linear`, `harmonic`, `cycloidal`, `modified_sine`, `modified_trapezoidal`, `polynomial_345` and `polynomial_4567`",
     ),

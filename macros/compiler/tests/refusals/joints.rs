@@ -1,6 +1,7 @@
 //! Joints without an effect, and laws of time outside of drives.
 
 crate::refusals! {
+    item a_pivot_that_moves: "joint a = revolute((10mm * sin(1rad_s * «t»), 0mm), ram.B);" => "a joint does not change with time, `t` is for drives\nhelp: write `drive a = …;` for `joint a = …;`; a place that moves is that of a body with drives, such as `drive_y(base.position, …)`";
     item time_in_a_joint: "joint a = absolute_angle(crank, speed * «t»);" => "a joint does not change with time, `t` is for drives\nhelp: write `drive a = …;` for `joint a = …;`";
     item time_behind_a_let: "let angle = speed * t; joint a = absolute_angle(crank, «angle»);" => "a joint does not change with time, `t` is for drives\nhelp: write `drive a = …;` for `joint a = …;`";
     item time_in_an_equation: "joint a = { crank.angle == speed * «t»; }" => "a joint does not change with time, `t` is for drives\nhelp: write `drive a = …;` for `joint a = …;`";

@@ -18,7 +18,7 @@ crate::refusals! {
     item inclusive_bounds_without_an_end: "param r: Length = 10mm in 5mm..=«;»" => "expected the greatest value, found `;`";
     item bounds_in_a_part: "component Arm(P: Point) { param r: Length = «1mm» in 2mm..; body limb {} joint j = revolute(P, limb.position); } part arm = Arm(ground.O);" => "the default, 1 mm, does not lie in 2 mm ..\nnote: in `arm.r`\nhelp: widen the range, or take a default within";
     item bounds_in_an_array: "for i in 0..3 { param r[i]: Length = «i * 1mm» in 1mm..; }" => "the default, 0 m, does not lie in 1 mm ..\nnote: in `r[0]`\nhelp: widen the range, or take a default within";
-    item range_of_something_else: "range «x» in 0s..1s;" => "expected `t in from..to`, found `x`";
+    item range_of_something_else: "range «x» in 0s..1s;" => "expected `t in from..to`, found `x`\nhelp: a range is one of time: write `range t in 0s..1s;`";
     item range_without_a_last_time: "range t in «0s..»;" => "a range of time has two ends\nhelp: write `range t in 0s..1s;`";
     item range_without_a_first_time: "range t in «..1s»;" => "a range of time has two ends\nhelp: write `range t in 0s..1s;`";
     item range_the_wrong_way_round: "range t in «1s..0s»;" => "no value lies in 1 s .. 0 s\nhelp: the lesser value stands first";

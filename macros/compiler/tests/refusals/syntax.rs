@@ -173,6 +173,14 @@ crate::refusals! {
     item loop_as_in_python: "for i in «range»(3) { body b[i] {} }" => "a loop counts whole numbers\nhelp: write `for i in 0..3`";
     item loop_as_in_python_from_one: "for i in «range»(1, 3) { body b[i] {} }" => "a loop counts whole numbers\nhelp: write `for i in 1..3`";
     item loop_as_in_python_by_twos: "for i in «range»(0, 6, 2) { body b[i] {} }" => "a loop counts whole numbers\nhelp: write `for i in 0..3 { … 2 * i … }`";
+    item redundant_behind_the_equals_sign: "joint a = «redundant» revolute(crank.A, ram.B);" => "`redundant` stands before `joint`\nhelp: write `redundant joint name = revolute(…);`";
+    item part_with_its_component_first: "component Leg(P: Point) { body b {} } part «Leg» left((0mm, 0mm));" => "a part has its name first\nhelp: write `part left = Leg((0mm, 0mm));`";
+    item two_outputs_at_once: "output x«,» y = crank.A;" => "expected `=`, found `,`\nhelp: each has a declaration of its own; a point or a vector is given out as one, `output P = body.P;`";
+    item a_name_with_a_dash: "output tip«-»speed = crank.x;" => "expected `=`, found `-`\nhelp: a name is one word, with `_` in the place of `-`";
+    item a_body_that_is_fixed: "body base { «fixed» = true; }" => "`fixed` is no item of a body\nhelp: what stands still is `ground`: write its points there, `ground { … }`";
+    item input_without_dimension: "input theta «=» 30deg;" => "expected `:` and a dimension such as `Length`, found `=`\nhelp: write `theta: Angle = 30deg;`";
+    item teeth_as_a_unit: "joint m = gear_pair(crank, ram, 20 * «teeth», 60);" => "nothing is called `teeth` here\nhelp: numbers of teeth have no unit: write the number alone";
+    item turns_as_a_unit: "let a = 5mm / «rev»;" => "nothing is called `rev` here\nhelp: a turn is `1turn`; the lead of a screw is the length of one turn, as in `lead: 5mm`";
     item loop_as_in_python_by_threes: "for i in «range»(1, 9, 3) { body b[i] {} }" => "a loop counts whole numbers\nhelp: write `for i in 0..3 { … 1 + 3 * i … }`";
     item loop_as_in_python_over_nothing: "for i in «range»() { body b[i] {} }" => "a loop counts whole numbers\nhelp: write `for i in 0..3`";
     item force_at_a_point_before_its_value: "force f «at» crank.A = (0N, -5N);" => "expected `=`, found `at`\nhelp: write `force name = { at P: (0N, -5N); }`";

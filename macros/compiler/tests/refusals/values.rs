@@ -34,8 +34,8 @@ crate::refusals! {
     item a_point_at_infinity: "param off: Angle = 0deg; body b { point P = «(1mm, 1mm * tan(90deg + off))»; }" => "a coordinate of the point is not a finite number";
     item an_axis_at_infinity: "body b { axis u = «(1, tan(-270deg))»; }" => "a component of the axis is not a finite number";
     item a_default_at_infinity: "param a: Number = «tan(450deg)»;" => "the default is not a finite number";
-    item point_that_moves: "body b { point P = «(crank.x, 0mm)»; }" => "a point or an axis may depend on parameters only, not on what moves\nhelp: what moves along a body is a body of its own";
-    item point_in_time: "body b { point P = (1mm / 1s * «t», 0mm); }" => "a point or an axis does not change with time: `t` cannot be used in it\nhelp: a body moves, by a `drive`";
+    item point_that_moves: "body b { point P = «(crank.x, 0mm)»; }" => "a point or an axis may depend on parameters only, not on what moves\nhelp: a point is written in the frame of its body, and joints bring points of two bodies together; what moves along a body is a body of its own";
+    item point_in_time: "body b { point P = (1mm / 1s * «t», 0mm); }" => "a point or an axis does not change with time: `t` cannot be used in it\nhelp: what moves is a body, such as `body base {}` with drives, `drive lift = drive_y(base.position, …);`, and its `position` stands in the place of the point";
     item start_in_time: "body b { start angle = speed * «t»; }" => "a start value does not change with time: `t` cannot be used in it";
     item start_that_moves: "body b { start angle = «crank.angle»; }" => "a start value may depend on parameters only, not on what moves\nhelp: write where it is about";
     item function_of_time: "function f(a: Angle) -> Length = 1mm / 1s * «t»;" => "a function of one variable does not change with time: `t` cannot be used in it";
@@ -244,6 +244,18 @@ fn bare_numbers_in_the_place_of_quantities_are_doubted() {
     let turned = |law: &str| with(&format!("{wheel} drive turn = drive_angle(wheel, {law});"));
     assert_eq!(turned("90 * cycloidal(t / 1s)"), [angle("90")]);
     assert_eq!(turned("if t < 1s { 90 } else { 2rad }"), [angle("90")]);
+    // Beside the variable of a loop, or by a name.
+    let in_loop = |law: &str| {
+        with(&format!(
+            "for i in 0..2 {{ body wheel[i] {{ }} joint axle[i] = revolute(ground.position, wheel[i].position); drive turn[i] = drive_angle(wheel[i], {law}); }}"
+        ))
+    };
+    assert_eq!(in_loop("1rad_s * t + 120 * i"), [angle("120")]);
+    assert_eq!(in_loop("45deg + (i + 1) * 90"), [angle("90")]);
+    assert_eq!(with("let phase = 90; output wave = sin(phase) + cos(phase);"), [angle("90")]);
+    assert_eq!(with("param phase: Number = 120; output wave = sin(phase * 1.5);"), [""; 0]);
+    assert_eq!(with(&format!("let phase = 120; {wheel} drive turn = drive_angle(wheel, 1rad_s * t + phase);")), [angle("120")]);
+    assert_eq!(in_loop("1rad_s * t + 120deg * i + 2 * pi * i / 12"), [""; 0]);
     let table =
         "drive turn = drive_angle(wheel, 1rad_s * t); output lift = table(wheel.angle, [(0, 0mm), (90, 5mm), (360, 0mm)], periodic);";
     assert_eq!(with(&format!("{wheel} {table}")), [angle("360")]);

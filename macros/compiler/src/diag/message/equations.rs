@@ -12,7 +12,13 @@ impl Display for EquationFact {
                 write!(f, "{place} does not change with time: `t` cannot be used in it")?;
                 match *place {
                     "the default of a parameter" => write!(f, "\nhelp: write `let name = …;` for a law"),
-                    "a point or an axis" => write!(f, "\nhelp: a body moves, by a `drive`"),
+                    "a point or an axis" => {
+                        write!(
+                            f,
+                            "\nhelp: what moves is a body, such as `body base {{}}` with drives, `drive lift = drive_y(base.position, …);`"
+                        )?;
+                        write!(f, ", and its `position` stands in the place of the point")
+                    }
                     _ => Ok(()),
                 }
             }
@@ -31,8 +37,15 @@ impl Display for EquationFact {
                     "`t` is not known in a definition\nhelp: take the law as a parameter, such as `C: Length`, and let a `drive` pass it"
                 )
             }
-            EquationFact::TimeInJoint { joint } => {
-                write!(f, "a joint does not change with time, `t` is for drives\nhelp: write `drive {joint} = …;` for `joint {joint} = …;`")
+            EquationFact::TimeInJoint { joint, has_places } => {
+                write!(
+                    f,
+                    "a joint does not change with time, `t` is for drives\nhelp: write `drive {joint} = …;` for `joint {joint} = …;`"
+                )?;
+                if *has_places {
+                    write!(f, "; a place that moves is that of a body with drives, such as `drive_y(base.position, …)`")?;
+                }
+                Ok(())
             }
             EquationFact::RequirementFails { why, instead } => {
                 write!(f, "{why}")?;

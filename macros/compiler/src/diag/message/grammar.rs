@@ -73,6 +73,15 @@ impl Display for GrammarFact {
                     ("the name of the drive", "`=`") => write!(f, "\nhelp: write `drive name = …`"),
                     ("`(` and the arguments", "`{`") => write!(f, "\nhelp: arguments stand in parentheses"),
                     ("`(` and the arguments", "`;`") => write!(f, "\nhelp: a component without arguments is called with `()`"),
+                    ("`=`", "`,`") => write!(
+                        f,
+                        "\nhelp: each has a declaration of its own; a point or a vector is given out as one, `output P = body.P;`"
+                    ),
+                    ("`=`", "`-`") => write!(f, "\nhelp: a name is one word, with `_` in the place of `-`"),
+                    ("`t in from..to`", _) => write!(f, "\nhelp: a range is one of time: write `range t in 0s..1s;`"),
+                    ("`from` and the value at t = 0, `at` and the rate at t = 0, or `;`", "`in`") => {
+                        write!(f, "\nhelp: a freedom has no bounds; forces that end a motion are `stop`, `stop_along` and `torsion_stop`")
+                    }
                     ("`=`", "`at`") => write!(f, "\nhelp: write `force name = {{ at P: (0N, -5N); }}`"),
                     ("`=`", "`on`") => write!(f, "\nhelp: write `force name = {{ on body: 5Nm; }}`"),
                     ("`=`", "`{`") => write!(f, "\nhelp: a value stands behind `=`, without braces"),
@@ -296,6 +305,9 @@ impl Display for GrammarFact {
             }
             GrammarFact::RustConstant { written, instead } => {
                 write!(f, "`{written}` is a constant of Rust\nhelp: write `{instead}`")
+            }
+            GrammarFact::UnknownBodyItem { word, .. } if ["fixed", "grounded", "static", "is_fixed", "frozen"].contains(&word.as_str()) => {
+                write!(f, "`{word}` is no item of a body\nhelp: what stands still is `ground`: write its points there, `ground {{ … }}`")
             }
             GrammarFact::UnknownBodyItem { word, is_point: true } if ["position", "orientation"].contains(&word.as_str()) => {
                 write!(f, "`{word}` is no item of a body\nhelp: write `start {word} = …;` for about where the body is at t = 0")

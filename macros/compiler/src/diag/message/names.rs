@@ -44,6 +44,15 @@ impl Display for NameFact {
             NameFact::UnknownName { name, .. } if ["math", "Math", "np", "numpy", "cmath"].contains(&name.as_str()) => {
                 write!(f, "nothing is called `{name}` here\nhelp: functions and `pi` stand by themselves, as in `sin(pi * t / 1s)`")
             }
+            NameFact::UnknownName { name, .. } if ["rev", "revs", "revolution", "turns", "turn"].contains(&name.as_str()) => {
+                write!(
+                    f,
+                    "nothing is called `{name}` here\nhelp: a turn is `1turn`; the lead of a screw is the length of one turn, as in `lead: 5mm`"
+                )
+            }
+            NameFact::UnknownName { name, near: None, .. } if ["teeth", "tooth"].contains(&name.as_str()) => {
+                write!(f, "nothing is called `{name}` here\nhelp: numbers of teeth have no unit: write the number alone")
+            }
             NameFact::UnknownName { name, near: None, .. } if name == "e" => {
                 write!(f, "nothing is called `e` here\nhelp: write `exp(x)` for a power of e")
             }
@@ -63,6 +72,13 @@ impl Display for NameFact {
                 match usual_dimension(name).filter(|_| near.is_none()) {
                     Some(dimension) => write!(f, "\nhelp: {}", declaration(name, dimension, *is_of_definition)),
                     None => Ok(()),
+                }
+            }
+            NameFact::UnknownField { owner, name, known, .. } if is_rate(name) && owner.ends_with(" joint") => {
+                write!(f, "{owner} has no `{name}`\nhelp: write ")?;
+                match known.first.iter().find(|word| ["angle", "displacement"].contains(&word.as_str())) {
+                    Some(word) => write!(f, "`rate(joint.{word})`"),
+                    None => write!(f, "`body.angular_velocity`, or `rate(body.position)` of the body that it moves"),
                 }
             }
             NameFact::UnknownField { owner, name, .. } if is_rate(name) => {

@@ -325,8 +325,14 @@ impl Display for ValueFact {
             }
             ValueFact::NotFixed { place } => {
                 write!(f, "{place} may depend on parameters only, not on what moves")?;
-                let help = if place.contains("start") { "write where it is about" } else { "what moves along a body is a body of its own" };
-                write!(f, "\nhelp: {help}")
+                if place.contains("start") {
+                    return write!(f, "\nhelp: write where it is about");
+                }
+                write!(f, "\nhelp: ")?;
+                if *place == "a point or an axis" {
+                    write!(f, "a point is written in the frame of its body, and joints bring points of two bodies together; ")?;
+                }
+                write!(f, "what moves along a body is a body of its own")
             }
             ValueFact::NotAStart { written, body, ambient } => not_a_start(f, written, body.as_deref(), *ambient),
             ValueFact::FunctionNeedsArgument => {
