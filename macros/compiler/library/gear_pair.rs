@@ -17,8 +17,8 @@
 /// carrier k, which is ground unless said, and are never wrapped: the row is exact over any number of
 /// turns. `c` sets the phase; 0 unless said.
 ///
-/// Place the gears with revolute joints on the carrier; the row says nothing about their centres. With pitch radii, the compiler warns
-/// if these do not fit the distance between the revolute joints.
+/// Place the gears with revolute joints on the carrier; the row says nothing about their centres. With pitch radii and both
+/// joints on the carrier, the compiler warns if the radii miss the distance between them by more than 5 %.
 /// Degenerate case: a = 0 or b = 0 is refused.
 ///
 /// The row holds angles only, so that its load is torques, and bearings carry nothing of it. `involute_mesh` has the force between the

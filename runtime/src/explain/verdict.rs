@@ -18,6 +18,9 @@ fn is_dead_point<T: Float, const N: usize>(state: &State<T, N>) -> bool {
 /// A motion that ends with a growing length of more than this many L diverges.
 const FAR: f64 = 100.0;
 
+/// The least x ẍ / ẋ² of a length that diverges; a pole of any order has more.
+const STEEP: f64 = 1.01;
+
 /// The failure of a continuation to time `t` (s), which left `state` unchanged.
 #[cold]
 pub(crate) fn of_continuation<T: Float, const N: usize>(
@@ -69,10 +72,10 @@ fn end_of_branch<T: Float, const N: usize>(
 /// The coordinate that grows beyond all bounds, and the approximate time; None if the motion does not diverge.
 ///
 /// ```text
-/// x = c / (t∞ − t)      t∞ = t + x / ẋ      x ẍ > ẋ²
+/// x = c / (t∞ − t)      t∞ = t + x / ẋ      x ẍ = 2 ẋ²
 /// ```
 ///
-/// A power of time has x ẍ < ẋ²: it grows for ever, and reaches every time.
+/// A power of time has x ẍ < ẋ² and an exponential x ẍ = ẋ²: they grow for ever, and reach every time.
 ///
 /// * `next`: given, s, a moment after `here`.
 fn diverging<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &State<T, N>, next: T) -> Option<(Cause<T>, T)> {
@@ -85,7 +88,7 @@ fn diverging<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &St
     }
     let (index, size) = longest?;
     let (&value, &rate, &acceleration) = (here.q.get(index)?, here.qd.get(index)?, here.qdd.get(index)?);
-    let grows = value * rate * (next - here.t) > T::of(0.0) && value * acceleration > rate * rate;
+    let grows = value * rate * (next - here.t) > T::of(0.0) && value * acceleration > T::of(STEEP) * rate * rate;
     let is_far = size / length_of(mechanism.length) > T::of(FAR);
     let coordinate = names::coordinate(mechanism.coordinates, index);
     (is_far && grows).then(|| (Cause::Diverges { coordinate, value }, here.t + value / rate))

@@ -7,7 +7,8 @@
 //! and a long step is also accepted if the solution is close to the prediction, relative to the predicted change. Where the branch
 //! ends on the line, at a fold, the same branch may still exist at the parameters themselves: an assembly there is accepted if
 //! every determinant has the same sign as at the defaults; finding only another one is a failure. A block that is linear in its unknowns has
-//! no other solution, whatever its sign.
+//! no other solution, whatever its sign. Where the equations that are solved lose rank on the line, and redundant ones do not, the way leaps over the
+//! place.
 
 use nalgebra::SVector;
 
@@ -74,11 +75,11 @@ pub(crate) fn assemble<T: Float, E: Stages<T, N>, const N: usize>(equations: &E)
         Err(Unfinished::TooFar) => return Err(alone(Cause::TooManySteps { steps: const { most_steps(N) } })),
     };
     let first = match near(&here.q) {
-        Ok(state) if has_same_signs::<T, E, N>(&state, &origin) => return Ok(state),
+        Ok(state) if has_same_signs(E::UNIQUE, &state, &origin) => return Ok(state),
         other => other,
     };
     let second = match near(&start) {
-        Ok(state) if has_same_signs::<T, E, N>(&state, &origin) => return Ok(state),
+        Ok(state) if has_same_signs(E::UNIQUE, &state, &origin) => return Ok(state),
         other => other,
     };
     let cause = why_not(&Followed::new(&equations), &here, [first, second]);
@@ -86,8 +87,10 @@ pub(crate) fn assemble<T: Float, E: Stages<T, N>, const N: usize>(equations: &E)
 }
 
 /// Whether the determinants of blocks that may have several solutions have the same signs.
-fn has_same_signs<T: Float, E: Stages<T, N>, const N: usize>(one: &State<T, N>, other: &State<T, N>) -> bool {
-    one.branch.iter().zip(&other.branch).enumerate().all(|(unknown, (one, other))| one == other || E::UNIQUE.contains(&unknown))
+///
+/// * `unique`: given, [`Stages::UNIQUE`].
+fn has_same_signs<T: Float, const N: usize>(unique: &[usize], one: &State<T, N>, other: &State<T, N>) -> bool {
+    one.branch.iter().zip(&other.branch).enumerate().all(|(unknown, (one, other))| one == other || unique.contains(&unknown))
 }
 
 /// Why two guesses, from `here` and from the start, led to no state on the branch.
@@ -160,8 +163,12 @@ fn follow<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, origin: &Sta
         if step < T::ROOT_EPSILON * reached + T::EPSILON * T::EPSILON && !turns(equations, &slope, step) {
             if leaps < MOST_LEAPS
                 && let Some(before) = &clear
-                && let Some((state, beyond)) = leap(equations, before, reached)
+                && let Some((found, beyond)) = leap(equations, before, reached)
             {
+                if beyond == one {
+                    return Ok(found);
+                }
+                let state = found.0;
                 slope = divided(&difference(&state.q, &before.0.q), beyond - before.1);
                 (here, reached, step, leaps) = (state, beyond, beyond - reached, leaps + 1);
                 continue;
@@ -172,21 +179,27 @@ fn follow<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, origin: &Sta
     Err(Unfinished::TooFar)
 }
 
-/// The state beyond the place λ where the equations that are solved lose rank, as those of a loop in a plane in which they have no components any
-/// longer, and the λ there: the redundant equations hold, and it is where the state `before` leads.
+/// The state beyond the place λ where the equations that are solved lose rank, and the λ there; as far beyond it as the state `before` is on this
+/// side, or at the parameters. The redundant equations hold there, and the state is where the one before leads.
 #[cold]
 fn leap<T: Float, E: Stages<T, N>, const N: usize>(
     equations: &E,
     (before, from, slope): &(State<T, N>, T, SVector<T, N>),
     place: T,
-) -> Option<(State<T, N>, T)> {
+) -> Option<(CheckedState<T, N>, T)> {
     let (one, beyond) = (T::of(1.0), place + (place - *from));
-    let beyond = if beyond < one { beyond } else { return None };
-    let between = &equations.interpolated(beyond)?;
-    let mechanism = Followed::new(&between);
+    if beyond <= place {
+        return None;
+    }
+    let beyond = if beyond < one { beyond } else { one };
+    let between = if beyond < one { equations.interpolated(beyond) } else { None };
+    let there = between.as_ref().unwrap_or(equations);
+    let mechanism = Followed::new(&there);
     let predicted = moved(&before.q, beyond - *from, slope);
     match cold_state(&mechanism, T::of(0.0), ColdSolver::from_guess(&mechanism, &predicted)) {
-        Ok((found, None)) if is_as_predicted(&mechanism, &before.q, &predicted, &found, T::of(SURPRISE)) => Some((found, beyond)),
+        Ok(found) if found.1.is_none() && is_as_predicted(&mechanism, &before.q, &predicted, &found.0, T::of(SURPRISE)) => {
+            Some((found, beyond))
+        }
         _ => None,
     }
 }
@@ -219,7 +232,7 @@ fn stride<T: Float, const N: usize>(
         Ok(_) => Err(StepError::Far),
         Err(error) => {
             let found = cold_state(mechanism, zero, ColdSolver::from_guess(mechanism, &predicted))?;
-            let is_same = found.0.branch == here.branch;
+            let is_same = has_same_signs(mechanism.unique, &found.0, here);
             if is_same && is_as_predicted(mechanism, &here.q, &predicted, &found.0, T::of(SURPRISE)) { Ok(found) } else { Err(error) }
         }
     }

@@ -13,6 +13,7 @@ pub(crate) struct Followed<'a, T: Float, const N: usize> {
     pub(crate) coordinates: &'static [Coordinate],
     pub(crate) rows: &'static [Row],
     pub(crate) iterated: &'static [usize],
+    pub(crate) unique: &'static [usize],
     pub(crate) computed_angles: &'static [usize],
     pub(crate) links: &'static [usize],
     /// The characteristic length in m.
@@ -47,6 +48,7 @@ impl<'a, T: Float, const N: usize> Followed<'a, T, N> {
             coordinates: E::COORDINATES,
             rows: E::ROWS,
             iterated: E::ITERATED,
+            unique: E::UNIQUE,
             computed_angles: E::COMPUTED_ANGLES,
             links: E::LINKS,
             length: mechanism.characteristic_length(),

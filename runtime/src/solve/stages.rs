@@ -29,8 +29,8 @@ pub trait Stages<T: SolverReal, const N: usize>: Description<T, N> {
     /// Unknowns that are iterated and therefore predicted.
     const ITERATED: &'static [usize] = &ALL;
 
-    /// The first unknowns of blocks that are linear in their unknowns. They have one solution, and the sign of their determinant tells no branches
-    /// apart.
+    /// The first unknowns of blocks that are linear in their unknowns. They have at most one solution, and the sign of their determinant tells no
+    /// branches apart.
     const UNIQUE: &'static [usize] = &[];
 
     /// Coordinates that must be tested for NaN and infinity even after a successful step; None for all.

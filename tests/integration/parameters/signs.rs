@@ -30,7 +30,7 @@ mechanism! {
         joint c = revolute(a.A, coupler.position);
         joint e = revolute(coupler.B, rocker.B);
         joint f = revolute(rocker.position, ground.C);
-        drive d = drive_angle(b, 0.5rad_s * t);
+        drive d = drive_angle(b, 0.3rad + 0.5rad_s * t);
         output toggle = rocker.angle - coupler.angle;
     }
 }
@@ -58,7 +58,7 @@ fn a_factor_changes_its_sign_beside_a_loop() {
         let levered = Levered { factor };
         for t in [0.0, 0.7, 3.0] {
             let state = levered.solve(t).unwrap_or_else(|failure| panic!("{factor}: {failure}"));
-            let right = 0.5 * t / factor;
+            let right = (0.3 + 0.5 * t) / factor;
             assert!((state.a().angle - right).abs() <= 8.0 * f64::EPSILON, "{factor}, {t} s: {}, not {right}", state.a().angle);
             assert!(levered.toggle(&state).value.sin() > 0.1, "{factor}, {t} s");
         }

@@ -126,7 +126,7 @@ impl fmt::Display for Doubt {
             Doubt::BareAngle { of, number } => {
                 let in_unit = |unit: &str| match of {
                     AngleOf::Function(function) => format!("{function}({number}{unit})"),
-                    AngleOf::Start | AngleOf::Law | AngleOf::Part => format!("{number}{unit}"),
+                    AngleOf::Start | AngleOf::Law | AngleOf::Part | AngleOf::Parameter(_) => format!("{number}{unit}"),
                 };
                 write!(f, "`{number}` has no unit: it is {number} rad")?;
                 match of {
@@ -136,6 +136,7 @@ impl fmt::Display for Doubt {
                             ", at which the drive stands still\nhelp: write `{number}rpm * t` for a speed, or `{number}deg` for an angle"
                         )
                     }
+                    AngleOf::Parameter(name) => write!(f, " where it is an angle\nhelp: write `{name}: Angle = {}`", in_unit("deg")),
                     AngleOf::Start | AngleOf::Function(_) | AngleOf::Part => {
                         write!(f, "\nhelp: write `{}`, or `{}` if it is meant", in_unit("deg"), in_unit("rad"))
                     }
@@ -232,7 +233,7 @@ impl fmt::Display for Doubt {
                 write!(f, "\nhelp: change a radius, or the place of an axis")
             }
             Doubt::RingInsideSun { joint, ring, sun } => {
-                write!(f, "the ring gear of `{joint}` ({ring}) is not larger than the sun gear inside it ({sun})")?;
+                write!(f, "the ring gear of `{joint}` ({ring}) is smaller than the sun gear inside it ({sun})")?;
                 write!(f, "\nhelp: the sun gear comes first, as in `z_sun: 20, z_ring: 60`")
             }
             Doubt::MotionEnds(fact) => write!(f, "{fact}"),

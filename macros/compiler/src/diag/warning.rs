@@ -185,7 +185,7 @@ pub enum Doubt {
         /// True if one of them has its teeth inside.
         is_internal: bool,
     },
-    /// The ring gear of a planetary train is not larger than its sun gear.
+    /// The ring gear of a planetary train is smaller than its sun gear.
     RingInsideSun {
         /// The joint.
         joint: String,
@@ -214,6 +214,8 @@ pub enum AngleOf {
     Function(String),
     /// A part of one of these.
     Part,
+    /// The default of a parameter that is a number.
+    Parameter(String),
 }
 
 impl Warning {

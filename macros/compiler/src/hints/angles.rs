@@ -3,7 +3,7 @@
 use crate::diag::{AngleOf, Doubt, Range, Warning};
 use crate::library;
 use crate::quantity::Dim;
-use crate::syntax::ast::{Expression, ExpressionKind, Item, JointBody, Marks, Mechanism, Operator, Statement, every_item};
+use crate::syntax::ast::{Expression, ExpressionKind, Item, JointBody, Marks, Mechanism, Operator, Statement};
 use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,35 +12,65 @@ const DRIVES: [&str; 3] = ["drive_angle", "drive_relative_angle", "drive_rotatio
 
 /// Warnings about starts of angles, constant laws of drives, and sines, cosines and tangents, of bare numbers that are probably degrees.
 pub(crate) fn bare_angles(tree: &Mechanism) -> Vec<Warning> {
+    let mut found = Vec::new();
+    search(&tree.items, &mut found);
+    found
+}
+
+/// Warnings about the items of a mechanism or of a component, which sees its own names only, and about its components.
+fn search(items: &[Item], found: &mut Vec<Warning>) {
+    let (mut own, mut pending, mut components) = (Vec::new(), vec![items], Vec::new());
     let mut search = AngleSearch::default();
-    for item in every_item(&tree.items) {
-        match item {
-            Item::Let(binding) => search.name(&binding.name, &binding.value),
-            Item::Parameter(parameter) if parameter.dimension.dim() == Some(Dim::NUMBER) => {
-                search.name(&parameter.name, &parameter.default)
+    while let Some(items) = pending.pop() {
+        for item in items {
+            match item {
+                Item::For(repeated) => {
+                    search.variables.insert(repeated.variable.to_string());
+                    pending.push(&repeated.items);
+                }
+                Item::Component(component) => components.push(&component.items),
+                _ => own.push(item),
             }
-            Item::For(repeated) => search.variables.extend([repeated.variable.to_string()]),
+        }
+    }
+    for item in &own {
+        match item {
+            Item::Let(binding) if binding.indices.is_empty() => search.name(&binding.name, &binding.value, false),
+            Item::Parameter(parameter) if parameter.dimension.dim() == Some(Dim::NUMBER) && parameter.indices.is_empty() => {
+                search.name(&parameter.name, &parameter.default, true);
+            }
             _ => {}
         }
     }
-    every_item(&tree.items).for_each(|item| search.of_item(item));
-    search.found
+    own.into_iter().for_each(|item| search.of_item(item));
+    found.extend(search.found);
+    components.into_iter().for_each(|items| self::search(items, found));
 }
 
-/// AngleSearch for bare numbers in the place of angles.
+/// A bare number in the place of an angle.
+struct NumberAsAngle {
+    /// As written.
+    number: String,
+    range: Range,
+    /// The parameter whose default it is.
+    parameter: Option<String>,
+}
+
+/// A search for bare numbers in the place of angles.
 #[derive(Default)]
 struct AngleSearch {
-    /// Named numbers beyond a turn in radians, as written.
-    numbers: BTreeMap<String, (String, Range)>,
+    /// Named numbers beyond a turn in radians.
+    numbers: BTreeMap<String, NumberAsAngle>,
     /// Variables of loops.
     variables: BTreeSet<String>,
     found: Vec<Warning>,
 }
 
 impl AngleSearch {
-    fn name(&mut self, name: &Ident, value: &Expression) {
-        if let Some(number) = beyond_a_turn(value) {
-            self.numbers.insert(name.to_string(), number);
+    fn name(&mut self, name: &Ident, value: &Expression, is_parameter: bool) {
+        if let Some(bare) = beyond_a_turn(value) {
+            let parameter = is_parameter.then(|| name.to_string());
+            self.numbers.insert(name.to_string(), NumberAsAngle { parameter, ..bare });
         }
     }
 
@@ -112,16 +142,17 @@ impl AngleSearch {
 
     fn of_angle(&mut self, of: AngleOf, value: &Expression) {
         let of = if is_number(value) { of } else { AngleOf::Part };
-        let warning = self.degrees(value).map(|(number, range)| Warning { doubt: Doubt::BareAngle { of, number }, range });
-        self.found.extend(warning);
+        let Some(NumberAsAngle { number, range, parameter }) = self.degrees(value) else { return };
+        let of = parameter.map_or(of, AngleOf::Parameter);
+        self.found.push(Warning { doubt: Doubt::BareAngle { of, number }, range });
     }
 
     /// A bare number of more than a turn in radians, as written: it is rather one of degrees. Also where it is a term, a factor of a sine, of a law
     /// or of the variable of a loop, or has a name, which is said once.
-    fn degrees(&mut self, argument: &Expression) -> Option<(String, Range)> {
+    fn degrees(&mut self, argument: &Expression) -> Option<NumberAsAngle> {
         match &argument.kind {
             ExpressionKind::Negative(inner) if is_number(inner) => {
-                beyond_a_turn(inner).map(|(number, _)| (format!("-{number}"), argument.range))
+                beyond_a_turn(inner).map(|bare| NumberAsAngle { number: format!("-{}", bare.number), range: argument.range, ..bare })
             }
             ExpressionKind::Negative(inner) => self.degrees(inner),
             ExpressionKind::Number { .. } => beyond_a_turn(argument),
@@ -151,10 +182,10 @@ impl AngleSearch {
 }
 
 /// A bare number of more than a turn in radians, as written.
-fn beyond_a_turn(value: &Expression) -> Option<(String, Range)> {
+fn beyond_a_turn(value: &Expression) -> Option<NumberAsAngle> {
     let ExpressionKind::Number { digits, unit } = &value.kind else { return None };
     let is_large = unit.is_empty() && digits.parse::<f64>().is_ok_and(|value| value > std::f64::consts::TAU);
-    is_large.then(|| (digits.clone(), value.range))
+    is_large.then(|| NumberAsAngle { number: digits.clone(), range: value.range, parameter: None })
 }
 
 /// True for `body.angle` and `joint.angle`.

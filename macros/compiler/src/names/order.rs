@@ -38,35 +38,35 @@ pub(crate) fn as_written(definition: &Definition, places: &[usize], given: &[Arg
 /// plane; `None` if something else is missing. `given`: each argument with the number of its parameter.
 pub(crate) fn completed(definition: &Definition, given: &[(usize, String)], ambient: Ambient) -> Option<String> {
     let is_given = |index: usize| given.iter().any(|(place, _)| *place == index);
-    let missing = |is_of: fn(&FormalKind) -> bool| {
+    // Ground is one body: it stands for one of two.
+    let may_be_completed = |is_of: fn(&FormalKind) -> bool| {
         let of_kind = definition.parameters.iter().enumerate().filter(|(_, formal)| is_of(&formal.kind) && formal.default.is_none());
-        of_kind.filter(|(index, _)| !is_given(*index)).count()
+        let of_kind: Vec<bool> = of_kind.map(|(index, _)| is_given(index)).collect();
+        of_kind.iter().all(|is_given| *is_given) || matches!(of_kind.as_slice(), [true, false] | [false, true])
     };
-    // What is missing is of ground, which is one body.
-    if missing(|kind| matches!(kind, FormalKind::Body)) > 1 || missing(|kind| matches!(kind, FormalKind::Point)) > 1 {
+    if !may_be_completed(|kind| matches!(kind, FormalKind::Body)) || !may_be_completed(|kind| matches!(kind, FormalKind::Point)) {
         return None;
     }
-    let mut written: Vec<(usize, String)> = Vec::new();
+    let mut written: Vec<String> = Vec::new();
     for (index, formal) in definition.parameters.iter().enumerate() {
         let is_like = |place: usize| std::mem::discriminant(&definition.parameters[place].kind) == std::mem::discriminant(&formal.kind);
-        let beside = index.checked_sub(1).filter(|before| is_like(*before) && is_given(*before));
+        let is_beside = index.checked_sub(1).is_some_and(|before| is_like(before) && is_given(before));
         match (given.iter().find(|(place, _)| *place == index), &formal.kind) {
-            (Some((_, text)), _) => written.push((index, text.clone())),
+            (Some((_, text)), _) => written.push(text.clone()),
             (None, _) if formal.default.is_some() => {}
             (None, FormalKind::Body | FormalKind::Point) => {
                 let ground = if matches!(formal.kind, FormalKind::Body) { "ground" } else { "ground.position" };
-                let place = if beside.is_some() { written.len() - 1 } else { written.len() };
+                let place = written.len() - usize::from(is_beside);
                 // Two of ground are one too many.
-                if beside.is_some() && is_of_ground(&written[place].1) {
+                if is_beside && is_of_ground(&written[place]) {
                     return None;
                 }
-                written.insert(place, (index, ground.to_owned()));
+                written.insert(place, ground.to_owned());
             }
-            (None, FormalKind::Axis) if ambient == Ambient::Plane => written.push((index, "(1, 0)".to_owned())),
+            (None, FormalKind::Axis) if ambient == Ambient::Plane => written.push("(1, 0)".to_owned()),
             (None, _) => return None,
         }
     }
-    let written: Vec<String> = written.into_iter().map(|(_, text)| text).collect();
     Some(format!("{}({})", definition.name, written.join(", ")))
 }
 
@@ -80,8 +80,8 @@ impl Names {
             match given.iter().position(|(place, _)| *place == index) {
                 Some(number) => {
                     written.push(given[number].1.clone());
-                    if let Value::Point(point) = &values[number] {
-                        last = written.last().and_then(|text| text.rsplit_once('.')).map(|(owner, _)| (owner.to_owned(), point.frame));
+                    if let (Value::Point(_) | Value::Body(_), Some(frame)) = (&values[number], values[number].frame()) {
+                        last = written.last().and_then(|text| text.rsplit_once('.')).map(|(owner, _)| (owner.to_owned(), frame));
                     }
                 }
                 None if formal.default.is_some() => {}

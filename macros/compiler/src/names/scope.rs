@@ -2,6 +2,7 @@
 
 use super::{Context, FrameId, SpaceId, Value};
 use crate::diag::Range;
+use crate::expr::Arena;
 use crate::quantity::Dim;
 use proc_macro2::Ident;
 
@@ -23,8 +24,13 @@ pub(crate) struct Scope {
 pub(crate) enum Timeless {
     /// A start value, a point and the like.
     Place(&'static str),
-    /// The joint of this name; true if it takes points that might be meant to move.
-    Joint(String, bool),
+    /// A joint.
+    Joint {
+        /// Its name.
+        name: String,
+        /// True if it takes points that may be meant to move.
+        has_places: bool,
+    },
 }
 
 impl Scope {
@@ -48,6 +54,16 @@ impl Scope {
     pub(crate) fn within(mut self, body: FrameId) -> Scope {
         self.body = Some(body);
         self
+    }
+
+    /// The innermost variable of a loop around an item of the mechanism.
+    pub(crate) fn index(&self, arena: &Arena) -> Option<&str> {
+        self.space?;
+        let whole = |value: &Value| match value {
+            Value::Scalar(scalar) => arena.as_constant(scalar.expr).is_some_and(|value| value.to_f64().fract() == 0.0),
+            _ => false,
+        };
+        self.bound.iter().rev().find(|(_, value)| whole(value)).map(|(variable, _)| variable.as_str())
     }
 
     /// Value of a name bound in this scope.

@@ -37,12 +37,12 @@ pub(crate) struct Problem<'a> {
 /// The rows count as closed when the sum of their squares, in scaled unknowns, is below this.
 pub(crate) const CLOSED: f64 = 1e-20;
 
-/// A row whose derivatives are below this fraction of its natural size is divided by the fraction: a row that touches zero, as the cosine of two axes
-/// that stay in line, has a residual of nothing but rounding, and derivatives no larger.
+/// A row whose derivatives are below this fraction of its natural size touches zero, as the cosine of two axes that stay in line: they are nothing but
+/// rounding, and the row is divided by this fraction of its natural size instead.
 pub(crate) const TOUCHING: f64 = 1e-6;
 
-/// A row without derivatives holds if its residual is below this fraction of its natural size.
-const ROUNDED: f64 = 1e-12;
+/// A row that touches zero holds if its residual is below this fraction of its natural size.
+const HOLDS: f64 = 1e-14;
 
 /// Residuals and Jacobian at a configuration, in scaled unknowns.
 #[derive(Clone)]
@@ -69,18 +69,21 @@ impl Problem<'_> {
         linear
     }
 
-    /// Residuals and Jacobian, each row divided by its largest entry, or by what this is at least.
+    /// Residuals and Jacobian, each row divided by its largest entry, or by [`TOUCHING`] of its natural size if this is larger.
     fn linearize(&mut self, q: &[f64]) -> Linearization {
         let mut linear = self.raw(q);
         for (k, (value, row)) in linear.phi.iter_mut().zip(&mut linear.jacobian).enumerate() {
             let (natural, is_known) = (self.natural[k], self.is_known[k]);
             let size = row.iter().fold(0.0, |size: f64, entry| size.max(entry.abs()));
-            if !value.is_finite() || !size.is_finite() || size == 0.0 && value.abs() > ROUNDED * natural {
+            if !value.is_finite() || !size.is_finite() || size == 0.0 && value.abs() > HOLDS * natural {
                 // A row with an unknown function is left out. A row without a finite value or gradient at this configuration counts as
                 // open.
                 *value = f64::from(u8::from(is_known));
                 row.fill(0.0);
                 continue;
+            }
+            if size < TOUCHING * natural && value.abs() <= HOLDS * natural {
+                *value = 0.0;
             }
             let size = size.max(TOUCHING * natural);
             *value /= size;

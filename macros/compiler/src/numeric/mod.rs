@@ -41,6 +41,8 @@ pub(crate) struct Numeric<'a> {
     turns: OnceCell<Turns>,
     /// Computed on first use.
     resting: OnceCell<BTreeSet<usize>>,
+    /// Computed on first use.
+    natural: OnceCell<Vec<f64>>,
     /// Number of operations spent.
     pub(crate) effort: Cell<u64>,
 }
@@ -58,14 +60,32 @@ pub(crate) fn at_defaults<R>(model: &Model, system: &System, work: impl FnOnce(&
 impl<'a> Numeric<'a> {
     pub(crate) fn new(model: &'a Model, system: &'a System, known: Values<'a>, declared: Vec<Option<f64>>) -> Numeric<'a> {
         let size = size(system, &known);
-        Numeric { model, system, known, size, declared, turns: OnceCell::new(), resting: OnceCell::new(), effort: Cell::default() }
+        Numeric {
+            model,
+            system,
+            known,
+            size,
+            declared,
+            turns: OnceCell::new(),
+            resting: OnceCell::new(),
+            natural: OnceCell::new(),
+            effort: Cell::default(),
+        }
     }
 }
 
 impl Numeric<'_> {
     /// A copy with other parameters and start values; the characteristic length stays.
     pub(crate) fn with<'b>(&'b self, known: Values<'b>, declared: Vec<Option<f64>>) -> Numeric<'b> {
-        Numeric { known, declared, effort: Cell::default(), turns: OnceCell::new(), resting: OnceCell::new(), ..*self }
+        Numeric {
+            known,
+            declared,
+            effort: Cell::default(),
+            turns: OnceCell::new(),
+            resting: OnceCell::new(),
+            natural: OnceCell::new(),
+            ..*self
+        }
     }
 
     /// Angles that may differ by whole turns.
@@ -93,9 +113,9 @@ impl Numeric<'_> {
         self.system.coordinates[unknown].role.scale(self.size)
     }
 
-    /// Natural size of a row of Φ_q in scaled unknowns.
-    pub(crate) fn natural(&self, equation: &Equation) -> f64 {
-        self.size.powi(equation.dim.power_of_length().into())
+    /// Natural size of a row of Φ_q in scaled unknowns: that of its dimension, or the largest entry anywhere if that is smaller.
+    pub(crate) fn natural(&self, equation: usize) -> f64 {
+        self.natural.get_or_init(|| self.found_natural())[equation]
     }
 
     /// The problem of all equations in all unknowns.
@@ -109,12 +129,9 @@ impl Numeric<'_> {
     pub(crate) fn problem(&self, equations: &[usize], unknowns: Vec<usize>, coordinates: Vec<f64>) -> Problem<'_> {
         // A row that holds by the choice of the coordinates has no gradient.
         let holds = |equation: &usize| self.system.declared.is_some() && self.resting().contains(equation);
-        let rows: Vec<&Equation> = equations
-            .iter()
-            .filter(|equation| !holds(equation))
-            .map(|equation| &self.system.equations[*equation])
-            .filter(|equation| equation.phi().is_some())
-            .collect();
+        let has_residual = |equation: &usize| self.system.equations[*equation].phi().is_some();
+        let kept: Vec<usize> = equations.iter().copied().filter(|equation| !holds(equation) && has_residual(equation)).collect();
+        let rows: Vec<&Equation> = kept.iter().map(|equation| &self.system.equations[*equation]).collect();
         let mut roots: Vec<Expr> = rows.iter().filter_map(|equation| equation.phi()).collect();
         let mut pattern = Vec::new();
         for (row, equation) in rows.iter().enumerate() {
@@ -129,7 +146,7 @@ impl Numeric<'_> {
         Problem {
             rows: rows.len(),
             is_known: rows.iter().map(|equation| equation.phi().is_some_and(|phi| is_known(self.model, self.system, phi))).collect(),
-            natural: rows.iter().map(|equation| self.natural(equation)).collect(),
+            natural: kept.iter().map(|equation| self.natural(*equation)).collect(),
             pattern,
             evaluator: Evaluator::new(&self.system.arena, &roots),
             shift: Vec::new(),

@@ -19,7 +19,8 @@ const WAYS: [f64; 6] = [0.05, 0.35, 0.8, 1.4, 2.2, 3.0];
 /// Parts of the first distance that are tried in turn where the range of the mechanism ends before it.
 const PARTS: &[f64] = &[1.0, 1.0 / 8.0, 1.0 / 64.0];
 
-/// On the last part, contradictions that grow with the square of the way do not show.
+/// After a contradiction, only parts of at least this size are tried: on shorter ones a contradiction that grows with the square of the way does not
+/// show.
 const SHOWING: f64 = 0.1;
 
 /// Number of distances used for a large system.

@@ -62,7 +62,7 @@ impl Numeric<'_> {
                     }
                 }
                 // A row that touches zero along the motion demands nothing there.
-                let touches = row.iter().all(|entry| entry.abs() < TOUCHING * self.natural(equation));
+                let touches = row.iter().all(|entry| entry.abs() < TOUCHING * self.natural(subsystem.equations[number]));
                 if touches { vec![0.0; row.len()] } else { unit(row) }
             };
             equations.iter().enumerate().map(row).collect()

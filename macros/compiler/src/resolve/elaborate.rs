@@ -125,9 +125,7 @@ impl Elaborator<'_> {
         match self.value_or_array(expr, scope)? {
             Value::Array { group, at } => {
                 let name = self.names.member_name(group, &at);
-                let is_whole = |value: &Value| matches!(value, Value::Scalar(scalar) if self.arena.as_constant(scalar.expr).is_some());
-                let variable = scope.bound.iter().rev().find(|(_, value)| scope.space.is_some() && is_whole(value));
-                let index = variable.map_or_else(|| "0".to_owned(), |(variable, _)| variable.clone());
+                let index = scope.index(&self.arena).unwrap_or("0").to_owned();
                 self.refuse(expr.range, ArrayFact::ArrayWithoutIndex { name, index })
             }
             value => Some(value),
@@ -354,8 +352,8 @@ impl Elaborator<'_> {
     fn time(&mut self, range: Range, scope: &Scope) -> Option<Value> {
         match &scope.timeless {
             Some(Timeless::Place(place)) => return self.refuse(range, EquationFact::TimeIn { place }),
-            Some(Timeless::Joint(joint, has_places)) => {
-                return self.refuse(range, EquationFact::TimeInJoint { joint: joint.clone(), has_places: *has_places });
+            Some(Timeless::Joint { name, has_places }) => {
+                return self.refuse(range, EquationFact::TimeInJoint { joint: name.clone(), has_places: *has_places });
             }
             None => {}
         }
@@ -367,8 +365,8 @@ impl Elaborator<'_> {
         let (word, is_input) = (self.names.group(group).word.clone(), self.names.group(group).sort == Sort::Input);
         match &scope.timeless {
             Some(Timeless::Place(place)) if is_input => self.refuse(range, EquationFact::InputIn { place, input: word }),
-            Some(Timeless::Joint(joint, _)) if is_input => {
-                self.refuse(range, EquationFact::InputInJoint { joint: joint.clone(), input: word })
+            Some(Timeless::Joint { name, .. }) if is_input => {
+                self.refuse(range, EquationFact::InputInJoint { joint: name.clone(), input: word })
             }
             _ => Some(()),
         }

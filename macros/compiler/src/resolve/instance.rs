@@ -76,7 +76,7 @@ impl Elaborator<'_> {
     }
 
     pub(super) fn joint_scope(&self, joint: &ast::JointItem, context: &Context) -> Scope {
-        let timeless = (!joint.is_drive).then(|| Timeless::Joint(joint.name.to_string(), joint.takes_places()));
+        let timeless = (!joint.is_drive).then(|| Timeless::Joint { name: joint.name.to_string(), has_places: joint.takes_places() });
         Scope { timeless, ..Scope::of(context) }
     }
 

@@ -66,9 +66,11 @@ impl Elaborator<'_> {
                 MotionFact::ValueForForce { value, instead, laws: library::forces(self.names.ambient).map(str::to_owned).collect() }
             }
             Word::Drive => {
-                let call = match value.rsplit_once('.') {
-                    Some((owner, "angle")) if self.names.ambient == Ambient::Plane => format!("drive_angle({owner}, 60rpm * t)"),
-                    Some((_, "angle")) => format!("drive_rotation({value}, 60rpm * t)"),
+                let call = match &written.kind {
+                    ExpressionKind::Field(owner, field) if field == "angle" && self.names.ambient == Ambient::Plane => {
+                        format!("drive_angle({owner}, 60rpm * t)")
+                    }
+                    ExpressionKind::Field(_, field) if field == "angle" => format!("drive_rotation({value}, 60rpm * t)"),
                     _ if dim.times(Dim::TIME) == Dim::ANGLE => self.names.a_drive(&format!("{value} * t")),
                     _ => self.names.a_drive(&value),
                 };

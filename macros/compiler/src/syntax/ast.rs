@@ -313,11 +313,12 @@ impl JointItem {
         matches!(self.body, JointBody::Freedom(_))
     }
 
-    /// True for a constraint that is no drive, and may take points.
+    /// True for a joint of the library that takes points or axes and no law.
     #[must_use]
     pub(crate) fn takes_places(&self) -> bool {
-        let is_of_numbers = |kind: &str| ["drive_", "absolute_", "relative_"].iter().any(|begin| kind.starts_with(begin));
-        matches!(&self.body, JointBody::Of { kind, .. } if !is_of_numbers(&kind.to_string()))
+        const KINDS: [&str; 9] =
+            ["revolute", "translational", "weld", "point_on_line", "spherical", "cylindrical", "universal", "planar", "point_on_plane"];
+        matches!(&self.body, JointBody::Of { kind, .. } if KINDS.iter().any(|known| kind == known))
     }
 }
 

@@ -31,7 +31,7 @@ pub(super) fn body(input: ParseStream, docs: Docs, diag: &mut Diag) -> Parsed<Fr
         let indices: String = name.1.iter().map(|index| format!("[{index}]")).collect();
         return wrong(input.span(), GrammarFact::BodyWithoutBraces { name: format!("{}{indices}", name.0), found: next(input) });
     }
-    frame(input, docs, name, "`{` and the points of the body", diag)
+    frame(input, docs, name, "`{`", diag)
 }
 
 /// The items of a body. A rejected one is left out, and parsing goes on with the next.

@@ -339,7 +339,7 @@ fn parameter(input: ParseStream, docs: Docs) -> Parsed<ParameterItem> {
     Ident::parse_any(input)?;
     let (name, indices) = declared(input, "the name of the parameter")?;
     if input.peek(Token![=]) {
-        return without_dimension(input, &name);
+        return without_dimension(input, (&name, &indices));
     }
     let dimension = required_dimension(input)?;
     if !input.peek(Token![=]) {
@@ -354,7 +354,7 @@ fn parameter(input: ParseStream, docs: Docs) -> Parsed<ParameterItem> {
 }
 
 /// Refuses `param a = 50mm;`.
-fn without_dimension<T>(input: ParseStream, name: &Ident) -> Parsed<T> {
+fn without_dimension<T>(input: ParseStream, (name, indices): (&Ident, &[Expression])) -> Parsed<T> {
     let (ahead, range) = (input.fork(), input.span());
     equals(&ahead)?;
     let default = expression(&ahead)?;
@@ -364,7 +364,9 @@ fn without_dimension<T>(input: ParseStream, name: &Ident) -> Parsed<T> {
         _ => None,
     };
     let dimension = Dim::names().find(|known| unit.is_some() && Dim::named(known) == unit);
-    let (name, default) = (name.to_string(), dimension.map(|dimension| (dimension, default.to_string())));
+    let bounds = if ahead.peek(Token![in]) { " in …" } else { "" };
+    let default = dimension.map(|dimension| (dimension, format!("{default}{bounds}")));
+    let name = format!("{name}{}", indices.iter().map(|index| format!("[{index}]")).collect::<String>());
     wrong(range, GrammarFact::ParameterWithoutDimension { name, default })
 }
 
@@ -392,7 +394,7 @@ fn input_item(input: ParseStream, docs: Docs) -> Parsed<ParameterItem> {
     let (name, indices) = declared(input, "the name of the input")?;
     no_drive(input, &name)?;
     if input.peek(Token![=]) {
-        return without_dimension(input, &name);
+        return without_dimension(input, (&name, &indices));
     }
     let dimension = required_dimension(input)?;
     let default = if input.peek(Token![=]) {

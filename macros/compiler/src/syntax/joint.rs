@@ -50,6 +50,12 @@ pub(super) fn joint(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
     if input.peek(token::Brace) {
         return expected(input, "`=` before the braces");
     }
+    if let Some(place) = keyword(input).filter(|place| word == Word::Force && (place == "at" || place == "on")) {
+        Ident::parse_any(input)?;
+        let (target, _) = (expression(input)?, equals(input)?);
+        let clause = format!("{place} {target}: {}", expression(input)?);
+        return wrong(&place, GrammarFact::ForceBeforePlace { name: name.to_string(), clause });
+    }
     equals(input)?;
     let body = match () {
         () if input.peek(token::Brace) => equations(input)?,

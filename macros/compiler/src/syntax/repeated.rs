@@ -53,10 +53,11 @@ pub(super) fn part(input: ParseStream, docs: Docs) -> Parsed<PartItem> {
     if !input.peek(token::Paren) {
         if kind == "new" && input.peek(syn::Ident) {
             let (made, instead) = (self::name(input, "a component")?, statement_text(input)?);
-            let instead = format!("part {name} = {made}{instead};");
+            let written: String = indices.iter().map(|index| format!("[{index}]")).collect();
+            let instead = format!("part {name}{written} = {made}{instead};");
             return wrong(kind.span(), GrammarFact::Misspelt { flaw: "a component is called without `new`", instead });
         }
-        return expected(input, "`(` and the arguments");
+        return expected(input, "`(` and the arguments of the component");
     }
     let arguments = Rc::new(arguments(input)?);
     semicolon(input)?;
@@ -97,7 +98,11 @@ fn counts(input: ParseStream, variable: &Ident) -> Parsed<()> {
                 let index = if first == 0 { format!("{step} * {variable}") } else { format!("{first} + {step} * {variable}") };
                 format!("for {variable} in 0..{} {{ … {index} … }}", (second - first).div_ceil(step))
             }
-            (_, [first, second, ..]) => format!("for {variable} in {first}..{second}"),
+            (Some(&[first, second] | &[first, second, _]), _) if second <= first => format!("for {variable} in {second}..{first}"),
+            (_, [first, second]) => format!("for {variable} in {first}..{second}"),
+            (_, [first, second, step, ..]) => {
+                format!("for {variable} in 0..({second} - {first}) / {step} {{ … {first} + {step} * {variable} … }}")
+            }
             (_, [only]) => format!("for {variable} in 0..{only}"),
             (_, []) => format!("for {variable} in 0..3"),
         };

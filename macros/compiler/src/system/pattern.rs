@@ -37,22 +37,24 @@ fn nonzero_parameters(model: &Model, arena: &Arena) -> BTreeSet<u32> {
         let excludes_zero = matches!(requirement.relation, Relation::Different | Relation::Greater | Relation::Less);
         (is_zero && excludes_zero).then_some(requirement.lhs)
     };
-    let products: Vec<Expr> = model.requirements.iter().filter_map(of_requirement).collect();
-    let factors = arena.reachable_above(&products, |node| !is_product(node));
-    factors
-        .into_iter()
-        .filter_map(|factor| if let Node::Leaf(Leaf::Parameter(number)) = arena.node(factor) { Some(*number) } else { None })
-        .collect()
-}
-
-/// True for products and quotients, which are nonzero where their parts are.
-fn is_product(node: &Node) -> bool {
-    matches!(node, Node::Unary(Unary::Neg, _) | Node::Binary(Binary::Mul | Binary::Div, ..))
+    let mut pending: Vec<Expr> = model.requirements.iter().filter_map(of_requirement).collect();
+    let mut nonzero = BTreeSet::new();
+    while let Some(factor) = pending.pop() {
+        match *arena.node(factor) {
+            Node::Leaf(Leaf::Parameter(number)) => drop(nonzero.insert(number)),
+            // Nothing is said of a denominator: a quotient by zero is not zero.
+            Node::Unary(Unary::Neg, inner) | Node::Binary(Binary::Div, inner, _) => pending.push(inner),
+            Node::Binary(Binary::Mul, one, two) => pending.extend([one, two]),
+            _ => {}
+        }
+    }
+    nonzero
 }
 
 /// True if the value is nonzero in every state: nonzero constants and parameters, their products and quotients.
 fn is_pivot(arena: &Arena, value: Expr, nonzero: &BTreeSet<u32>) -> bool {
     let mut pivots = BTreeSet::new();
+    let is_product = |node: &Node| matches!(node, Node::Unary(Unary::Neg, _) | Node::Binary(Binary::Mul | Binary::Div, ..));
     for expr in arena.reachable_above(&[value], |node| !is_product(node)) {
         let holds = match arena.node(expr) {
             Node::Constant(value) => !value.is_zero(),

@@ -15,6 +15,9 @@ const SHIFTED: f64 = 0.05;
 pub(super) fn apart(model: &Model, system: &System) -> Vec<Warning> {
     let mut said = Said::default();
     let of_joint = |(joint, made): (&Joint, &Instantiation)| {
+        if made.kind != "gear_pair" {
+            return None;
+        }
         let (distance, [a, b]) = at_defaults(model, system, |numeric| centers_and_radii(model, made, &numeric.known))?;
         let needed = (a + b).abs();
         // One warning for all pairs of a loop.
@@ -28,7 +31,7 @@ pub(super) fn apart(model: &Model, system: &System) -> Vec<Warning> {
     model.joints.iter().zip(&model.sketch.joints).filter_map(of_joint).collect()
 }
 
-/// Warnings about planetary trains whose ring gear is not larger than the sun gear inside it.
+/// Warnings about planetary trains whose ring gear is smaller than the sun gear inside it.
 pub(super) fn inside_out(model: &Model, system: &System) -> Vec<Warning> {
     let mut said = Said::default();
     let of_joint = |(joint, made): (&Joint, &Instantiation)| {
@@ -40,7 +43,7 @@ pub(super) fn inside_out(model: &Model, system: &System) -> Vec<Warning> {
         let values = at_defaults(model, system, |numeric| evaluate(&model.sketch.arena, &[*sun, *ring], &numeric.known));
         let &[sun, ring] = values.as_slice() else { return None };
         // With a negative one it is a train with two sun gears.
-        if !(made.kind == "planetary" && sun > 0.0 && ring > 0.0 && ring <= sun && said.is_new(&joint.name)) {
+        if !(ring > 0.0 && ring < sun && said.is_new(&joint.name)) {
             return None;
         }
         let doubt = Doubt::RingInsideSun { joint: joint.name.to_string(), ring: quantity(ring, *dim), sun: quantity(sun, *dim) };
@@ -51,9 +54,6 @@ pub(super) fn inside_out(model: &Model, system: &System) -> Vec<Warning> {
 
 /// The distance between the hinges of two gears on their carrier, and the radii; `None` for teeth, and for gears that turn otherwise.
 fn centers_and_radii(model: &Model, made: &Instantiation, known: &Values) -> Option<(f64, [f64; 2])> {
-    if made.kind != "gear_pair" {
-        return None;
-    }
     let body = |name: &str| match made.argument(name) {
         Some(JointArgument::Body(body)) => *body,
         _ => None,

@@ -42,7 +42,7 @@ crate::refusals! {
     item array_with_one_index_of_two: "for i in 0..2 { for j in 0..2 { body b[i][j] {} } } output o = «b[0]».x;" => "`b[0]` is an array\nhelp: say which one, such as `b[0][0]`";
     item array_without_index_in_a_loop: "for i in 0..2 { body b[i] {} } for k in 0..2 { output o[k] = «b».x; }" => "`b` is an array\nnote: in `o[0]`\nhelp: say which one, such as `b[k]`";
     item part_as_in_java: "component Leg() { body b {} } part leg = «new» Leg();" => "a component is called without `new`\nhelp: write `part leg = Leg();`";
-    item part_without_parentheses: "component Leg() { body b {} } part leg = Leg«;»" => "expected `(` and the arguments, found `;`\nhelp: a component without arguments is called with `()`";
+    item part_without_parentheses: "component Leg() { body b {} } part leg = Leg«;»" => "expected `(` and the arguments of the component, found `;`\nhelp: one without arguments is called with `()`";
     item index_of_no_array: "output o = crank[«0»].x;" => "a body has no index\nhelp: take `[…]` away";
     item index_too_many: "body b[0] {} output o = b[0][«0»].x;" => "a body has no further index\nhelp: take the last `[…]` away";
     item let_with_an_index_in_equations: "joint j = { let a[«0»] = 1; crank.x == a; }" => "`a` cannot have an index: there are no arrays among equations\nhelp: declare the array in the mechanism";

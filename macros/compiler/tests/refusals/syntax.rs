@@ -47,6 +47,7 @@ crate::refusals! {
     item semicolon_is_missing: "param a: Length = 10mm «param» b: Length = 20mm;" => "expected `;`, found `param`\nhelp: end what stands before it with `;`";
     mechanism semicolon_is_missing_at_the_end: "mechanism Crank { param a: Length = 10mm «}»" => "expected `;`, found the end\nhelp: end what stands before it with `;`";
     item dimension_is_missing: "param a «=» 10mm;" => "expected `:` and a dimension such as `Length`, found `=`\nhelp: write `a: Length = 10mm;`";
+    item dimension_of_an_array_is_missing: "param a[0] «=» 10mm in 5mm..20mm;" => "expected `:` and a dimension such as `Length`, found `=`\nhelp: write `a[0]: Length = 10mm in …;`";
     item dimension_of_a_speed_is_missing: "param a «=» 60rpm;" => "expected `:` and a dimension such as `Length`, found `=`\nhelp: write `a: AngularVelocity = 60rpm;`";
     item dimension_of_a_product_is_missing: "param a «=» 2 * 10mm;" => "expected `:` and a dimension such as `Length`, found `=`\nhelp: write the dimension behind the name, as in `a: Length = …;`";
     item default_is_missing: "param a: Length«;»" => "expected `=` and the default of the parameter, found `;`\nhelp: each parameter has a default, as in `param name: Length = 50mm;`";
@@ -80,7 +81,7 @@ crate::refusals! {
     item unit_stands_behind_its_number: "param a: Length = «120 mm»;" => "a unit stands right behind its number\nhelp: write `120mm`";
     item text_is_no_number: "param a: Length = «\"120mm\"»;" => "expected a number, found a string\nhelp: a quantity is a number with its unit right behind it, such as `120mm`";
     item comma_is_missing: "joint a = revolute(ground.C «crank».A);" => "expected `,` or `)`, found `crank`";
-    item call_is_missing: "joint a = revolute«;»" => "expected `(` and the arguments, found `;`\nhelp: a component without arguments is called with `()`";
+    item call_is_missing: "joint a = revolute«;»" => "expected `(` and the arguments, found `;`";
     item constraint_by_its_path: "joint a = «crate::rolling»(crank);" => "a joint names its constraint by a single word\nhelp: write `use crate::rolling;` above, and `rolling(…)` here";
     item equation_with_a_single_equal_sign: "joint a = { crank.x «=» 0; }" => "an equation is written with `==`\nhelp: write `lhs == rhs;`";
     item equation_without_right_side: "joint a = { crank.x == «;» }" => "expected an expression, found `;`";
@@ -175,16 +176,18 @@ crate::refusals! {
     item loop_as_in_python_by_twos: "for i in «range»(0, 6, 2) { body b[i] {} }" => "a loop counts whole numbers\nhelp: write `for i in 0..3 { … 2 * i … }`";
     item redundant_behind_the_equals_sign: "joint a = «redundant» revolute(crank.A, ram.B);" => "`redundant` stands before `joint`\nhelp: write `redundant joint name = revolute(…);`";
     item part_with_its_component_first: "component Leg(P: Point) { body b {} } part «Leg» left((0mm, 0mm));" => "a part has its name first\nhelp: write `part left = Leg((0mm, 0mm));`";
-    item two_outputs_at_once: "output x«,» y = crank.A;" => "expected `=`, found `,`\nhelp: each has a declaration of its own; a point or a vector is given out as one, `output P = body.P;`";
+    item two_outputs_at_once: "output x«,» y = crank.A;" => "expected `=`, found `,`\nhelp: each has a declaration of its own";
     item a_name_with_a_dash: "output tip«-»speed = crank.x;" => "expected `=`, found `-`\nhelp: a name is one word, with `_` in the place of `-`";
     item a_body_that_is_fixed: "body base { «fixed» = true; }" => "`fixed` is no item of a body\nhelp: what stands still is `ground`: write its points there, `ground { … }`";
     item input_without_dimension: "input theta «=» 30deg;" => "expected `:` and a dimension such as `Length`, found `=`\nhelp: write `theta: Angle = 30deg;`";
     item teeth_as_a_unit: "joint m = gear_pair(crank, ram, 20 * «teeth», 60);" => "nothing is called `teeth` here\nhelp: numbers of teeth have no unit: write the number alone";
     item turns_as_a_unit: "let a = 5mm / «rev»;" => "nothing is called `rev` here\nhelp: a turn is `1turn`; the lead of a screw is the length of one turn, as in `lead: 5mm`";
     item loop_as_in_python_by_threes: "for i in «range»(1, 9, 3) { body b[i] {} }" => "a loop counts whole numbers\nhelp: write `for i in 0..3 { … 1 + 3 * i … }`";
+    item loop_as_in_python_downwards: "for i in «range»(6, 0) { body b[i] {} }" => "a loop counts whole numbers\nhelp: write `for i in 0..6`";
+    item loop_as_in_python_to_a_name: "let n = 6; for i in «range»(0, n, 2) { body b[i] {} }" => "a loop counts whole numbers\nhelp: write `for i in 0..(n - 0) / 2 { … 0 + 2 * i … }`";
     item loop_as_in_python_over_nothing: "for i in «range»() { body b[i] {} }" => "a loop counts whole numbers\nhelp: write `for i in 0..3`";
-    item force_at_a_point_before_its_value: "force f «at» crank.A = (0N, -5N);" => "expected `=`, found `at`\nhelp: write `force name = { at P: (0N, -5N); }`";
-    item torque_on_a_body_before_its_value: "force f «on» crank = 5Nm;" => "expected `=`, found `on`\nhelp: write `force name = { on body: 5Nm; }`";
+    item force_at_a_point_before_its_value: "force f «at» crank.A = (0N, -5N);" => "a force stands after its point, a torque after its body\nhelp: write `force f = { at crank.A: (0N, -5N); }`";
+    item torque_on_a_body_before_its_value: "force f «on» crank = 5Nm;" => "a force stands after its point, a torque after its body\nhelp: write `force f = { on crank: 5Nm; }`";
     item output_with_a_unit: "output o = crank.x with «unit» mm;" => "expected `jerk` after `with`, found `unit`\nhelp: values are in SI: take it away, and convert the output in Rust";
     item body_by_a_component: "body b «=» Leg();" => "expected `{` and the points of the body, found `=`\nhelp: write `body b { … }`; a part that is made of a component is `part b = Component(…);`";
     item body_of_two_words: "body b[0] «two» {}" => "expected `{` and the points of the body, found `two`\nhelp: write `body b[0] { … }`, a name is one word; a body without points is `body b[0] {}`";

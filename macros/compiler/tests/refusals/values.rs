@@ -35,7 +35,7 @@ crate::refusals! {
     item an_axis_at_infinity: "body b { axis u = «(1, tan(-270deg))»; }" => "a component of the axis is not a finite number";
     item a_default_at_infinity: "param a: Number = «tan(450deg)»;" => "the default is not a finite number";
     item point_that_moves: "body b { point P = «(crank.x, 0mm)»; }" => "a point or an axis may depend on parameters only, not on what moves\nhelp: a point is written in the frame of its body, and joints bring points of two bodies together; what moves along a body is a body of its own";
-    item point_in_time: "body b { point P = (1mm / 1s * «t», 0mm); }" => "a point or an axis does not change with time: `t` cannot be used in it\nhelp: what moves is a body, such as `body base {}` with drives, `drive lift = drive_y(base.position, …);`, and its `position` stands in the place of the point";
+    item point_in_time: "body b { point P = (1mm / 1s * «t», 0mm); }" => "a point or an axis does not change with time: `t` cannot be used in it\nhelp: declare a body with drives, such as `drive lift = drive_y(base.position, …);`, and write its points and axes in their place";
     item start_in_time: "body b { start angle = speed * «t»; }" => "a start value does not change with time: `t` cannot be used in it";
     item start_that_moves: "body b { start angle = «crank.angle»; }" => "a start value may depend on parameters only, not on what moves\nhelp: write where it is about";
     item function_of_time: "function f(a: Angle) -> Length = 1mm / 1s * «t»;" => "a function of one variable does not change with time: `t` cannot be used in it";
@@ -255,6 +255,14 @@ fn bare_numbers_in_the_place_of_quantities_are_doubted() {
     assert_eq!(with("let phase = 90; output wave = sin(phase) + cos(phase);"), [angle("90")]);
     assert_eq!(with("param phase: Number = 120; output wave = sin(phase * 1.5);"), [""; 0]);
     assert_eq!(with(&format!("let phase = 120; {wheel} drive turn = drive_angle(wheel, 1rad_s * t + phase);")), [angle("120")]);
+    assert_eq!(
+        with("param phase: Number = 120; output wave = sin(phase);"),
+        ["`120` has no unit: it is 120 rad where it is an angle\nhelp: write `phase: Angle = 120deg`"]
+    );
+    // A component has names of its own.
+    let two =
+        "component C() { let phase = 12deg; body c { } joint o = revolute(ground.position, c.position); drive x = drive_angle(c, phase); }";
+    assert_eq!(with(&format!("let phase = 90; output n = phase + 1; {two} part c = C();")), [""; 0]);
     assert_eq!(in_loop("1rad_s * t + 120deg * i + 2 * pi * i / 12"), [""; 0]);
     let table =
         "drive turn = drive_angle(wheel, 1rad_s * t); output lift = table(wheel.angle, [(0, 0mm), (90, 5mm), (360, 0mm)], periodic);";

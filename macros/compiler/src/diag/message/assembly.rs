@@ -25,7 +25,7 @@ impl Display for AssemblyFact {
                 let place = if *has_none_anywhere { "at t = 0" } else { "near the start" };
                 write!(
                     f,
-                    " of `{joint}` has no value {place}: an impossible root or arc sine, a division by zero or a number beyond 1e308"
+                    " of `{joint}` has no value {place}: a root or logarithm of something negative, an arc sine beyond 1, a division by zero or a number beyond 1e308"
                 )?;
                 if *has_none_anywhere {
                     return write!(f, "\nhelp: let `{joint}` have another value at t = 0");

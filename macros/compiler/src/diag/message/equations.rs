@@ -13,11 +13,8 @@ impl Display for EquationFact {
                 match *place {
                     "the default of a parameter" => write!(f, "\nhelp: write `let name = …;` for a law"),
                     "a point or an axis" => {
-                        write!(
-                            f,
-                            "\nhelp: what moves is a body, such as `body base {{}}` with drives, `drive lift = drive_y(base.position, …);`"
-                        )?;
-                        write!(f, ", and its `position` stands in the place of the point")
+                        write!(f, "\nhelp: declare a body with drives, such as `drive lift = drive_y(base.position, …);`")?;
+                        write!(f, ", and write its points and axes in their place")
                     }
                     _ => Ok(()),
                 }
@@ -38,14 +35,14 @@ impl Display for EquationFact {
                 )
             }
             EquationFact::TimeInJoint { joint, has_places } => {
-                write!(
-                    f,
-                    "a joint does not change with time, `t` is for drives\nhelp: write `drive {joint} = …;` for `joint {joint} = …;`"
-                )?;
+                write!(f, "a joint does not change with time, `t` is for drives\nhelp: ")?;
                 if *has_places {
-                    write!(f, "; a place that moves is that of a body with drives, such as `drive_y(base.position, …)`")?;
+                    return write!(
+                        f,
+                        "a place that moves is that of a body with drives, such as `drive lift = drive_y(base.position, …);`"
+                    );
                 }
-                Ok(())
+                write!(f, "write `drive {joint} = …;` for `joint {joint} = …;`")
             }
             EquationFact::RequirementFails { why, instead } => {
                 write!(f, "{why}")?;

@@ -72,18 +72,13 @@ impl Display for GrammarFact {
                     ("the name of the joint", "`=`") => write!(f, "\nhelp: write `joint name = …`"),
                     ("the name of the drive", "`=`") => write!(f, "\nhelp: write `drive name = …`"),
                     ("`(` and the arguments", "`{`") => write!(f, "\nhelp: arguments stand in parentheses"),
-                    ("`(` and the arguments", "`;`") => write!(f, "\nhelp: a component without arguments is called with `()`"),
-                    ("`=`", "`,`") => write!(
-                        f,
-                        "\nhelp: each has a declaration of its own; a point or a vector is given out as one, `output P = body.P;`"
-                    ),
+                    ("`(` and the arguments of the component", "`;`") => write!(f, "\nhelp: one without arguments is called with `()`"),
+                    ("`=`", "`,`") => write!(f, "\nhelp: each has a declaration of its own"),
                     ("`=`", "`-`") => write!(f, "\nhelp: a name is one word, with `_` in the place of `-`"),
                     ("`t in from..to`", _) => write!(f, "\nhelp: a range is one of time: write `range t in 0s..1s;`"),
                     ("`from` and the value at t = 0, `at` and the rate at t = 0, or `;`", "`in`") => {
                         write!(f, "\nhelp: a freedom has no bounds; forces that end a motion are `stop`, `stop_along` and `torsion_stop`")
                     }
-                    ("`=`", "`at`") => write!(f, "\nhelp: write `force name = {{ at P: (0N, -5N); }}`"),
-                    ("`=`", "`on`") => write!(f, "\nhelp: write `force name = {{ on body: 5Nm; }}`"),
                     ("`=`", "`{`") => write!(f, "\nhelp: a value stands behind `=`, without braces"),
                     ("`=`", "`(`") => {
                         write!(f, "\nhelp: write `point P = (…);` for a point, `function f(x: Angle) -> Length = …;` for a function")
@@ -113,7 +108,7 @@ impl Display for GrammarFact {
                     ("`=`", "`:`") => {
                         write!(f, "\nhelp: a value stands behind `=`; only parameters and inputs have `:` and a dimension before it")
                     }
-                    ("`:` and a dimension such as `Length`", "`=`" | "`;`") => {
+                    ("`:` and a dimension such as `Length`", "`;`") => {
                         write!(f, "\nhelp: write the dimension behind the name, as in `name: Length = …;`")
                     }
                     ("`=` and the default of the parameter", _) => {

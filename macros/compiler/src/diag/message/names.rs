@@ -44,7 +44,7 @@ impl Display for NameFact {
             NameFact::UnknownName { name, .. } if ["math", "Math", "np", "numpy", "cmath"].contains(&name.as_str()) => {
                 write!(f, "nothing is called `{name}` here\nhelp: functions and `pi` stand by themselves, as in `sin(pi * t / 1s)`")
             }
-            NameFact::UnknownName { name, .. } if ["rev", "revs", "revolution", "turns", "turn"].contains(&name.as_str()) => {
+            NameFact::UnknownName { name, near: None, .. } if ["rev", "revs", "revolution", "turns", "turn"].contains(&name.as_str()) => {
                 write!(
                     f,
                     "nothing is called `{name}` here\nhelp: a turn is `1turn`; the lead of a screw is the length of one turn, as in `lead: 5mm`"
@@ -74,10 +74,15 @@ impl Display for NameFact {
                     None => Ok(()),
                 }
             }
-            NameFact::UnknownField { owner, name, known, .. } if is_rate(name) && owner.ends_with(" joint") => {
+            NameFact::UnknownField { owner, name, known, .. }
+                if (is_rate(name) || ["angular_velocity", "omega"].contains(&name.as_str())) && owner.ends_with(" joint") =>
+            {
                 write!(f, "{owner} has no `{name}`\nhelp: write ")?;
-                match known.first.iter().find(|word| ["angle", "displacement"].contains(&word.as_str())) {
-                    Some(word) => write!(f, "`rate(joint.{word})`"),
+                let has = |word: &str| known.first.iter().any(|known| known == word);
+                let values = if is_rate(name) { ["displacement", "angle"] } else { ["angle", "displacement"] };
+                match values.into_iter().find(|word| has(word)) {
+                    Some("angle") => write!(f, "`rate(hinge.angle)`"),
+                    Some(_) => write!(f, "`rate(slide.displacement)`"),
                     None => write!(f, "`body.angular_velocity`, or `rate(body.position)` of the body that it moves"),
                 }
             }
@@ -103,13 +108,6 @@ impl Display for NameFact {
                 write!(f, "{owner} has no `{name}`\nnote: loads are computed for a state, in Rust")?;
                 write!(f, "\nhelp: `mechanism.loads(&state)` has a method for each joint, with `force` and `torque`, ")?;
                 write!(f, "and for each drive, with `effort` and `power`")
-            }
-            NameFact::UnknownField { owner, name, known, .. }
-                if ["angular_velocity", "omega"].contains(&name.as_str())
-                    && owner.ends_with(" joint")
-                    && known.first.iter().any(|word| word == "angle") =>
-            {
-                write!(f, "{owner} has no `{name}`\nhelp: write the rate of its angle, as in `rate(hinge.angle)`")
             }
             NameFact::UnknownField { owner, name, .. } if name == "angle" && owner == "a `revolute` joint" => {
                 write!(

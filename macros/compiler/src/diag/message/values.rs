@@ -54,13 +54,14 @@ impl Display for ValueFact {
                 if found.times(Dim::TIME) == *wanted && [Dim::ANGLE, Dim::LENGTH].contains(wanted) {
                     return write!(f, "\nhelp: multiply the rate by `t`");
                 }
-                let instead = match (*wanted, *found) {
-                    (Dim::TORQUE, Dim::ANGLE) => "drive_angle(b, C)`, in space `drive_rotation(hinge.angle, C)",
-                    (Dim::FORCE, Dim::LENGTH) => "drive_distance(P, Q, C)",
-                    _ => "",
+                let (factor, instead) = match (*wanted, *found) {
+                    (Dim::TORQUE, Dim::ANGLE) => ("10Nm_rad", "drive_angle(b, C)`, in space `drive_rotation(hinge.angle, C)"),
+                    (Dim::FORCE, Dim::LENGTH) => ("100N_m", "drive_distance(P, Q, C)"),
+                    _ => ("", ""),
                 };
                 if ["motor", "actuator"].contains(&definition.as_str()) && !instead.is_empty() {
-                    return write!(f, "\nhelp: a motion that is given is a drive: write `drive name = {instead}`");
+                    write!(f, "\nhelp: give it a factor such as `{factor}`")?;
+                    return write!(f, "; a motion that is given is a drive, `drive name = {instead}`");
                 }
                 // An argument given as a function of time often lacks only a factor with a unit.
                 match *found {
