@@ -85,7 +85,8 @@ impl Problem<'_> {
             if size < TOUCHING * natural && value.abs() <= HOLDS * natural {
                 *value = 0.0;
             }
-            let size = size.max(TOUCHING * natural);
+            // A row that vanishes everywhere is not divided by zero.
+            let size = size.max(TOUCHING * natural).max(f64::MIN_POSITIVE);
             *value /= size;
             row.iter_mut().for_each(|entry| *entry /= size);
         }

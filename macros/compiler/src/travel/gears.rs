@@ -35,8 +35,11 @@ pub(super) fn apart(model: &Model, system: &System) -> Vec<Warning> {
 pub(super) fn inside_out(model: &Model, system: &System) -> Vec<Warning> {
     let mut said = Said::default();
     let of_joint = |(joint, made): (&Joint, &Instantiation)| {
-        let (Some(JointArgument::Number(sun, dim)), Some(JointArgument::Number(ring, _))) =
-            (made.argument("z_sun"), made.argument("z_ring"))
+        if made.kind != "planetary" {
+            return None;
+        }
+        let [Some(JointArgument::Number(sun, dim)), Some(JointArgument::Number(ring, _))] =
+            ["z_sun", "z_ring"].map(|name| made.argument(name))
         else {
             return None;
         };
