@@ -28,6 +28,9 @@ const MOST_STEPS: usize = 1_000_000;
 /// With this many coordinates the limit is about a tenth.
 const MANY: usize = 90;
 
+/// After so many steps it is seen whether those that are left lead to the parameters.
+const PACE: usize = 1000;
+
 /// A step in which no angle is predicted to turn by more than this (rad) is not limited by turns.
 const SHORT_TURN: f64 = 0.1;
 
@@ -66,6 +69,14 @@ pub(crate) fn assemble<T: Float, E: Stages<T, N>, const N: usize>(equations: &E)
     // The defaults may be placeholders that do not close; then the start is only a guess.
     let origin = equations.interpolated(zero).and_then(|defaults| assemble_near(&defaults, zero, &defaults.start()).ok());
     let Some(origin) = origin.filter(|_| equations.validate().is_ok()) else { return near(&start).map_err(alone) };
+    // Where a block with one solution changes its sign it has none, so that no way leads there.
+    if !E::UNIQUE.is_empty()
+        && let Ok(state) = near(&start)
+        && state.branch != origin.branch
+        && has_same_signs(E::UNIQUE, &state, &origin)
+    {
+        return Ok(state);
+    }
     let (lambda, here) = match follow(equations, &origin) {
         Ok((state, None)) => return Ok(state),
         Ok((_, Some(cause))) => return Err(alone(cause)),
@@ -143,7 +154,16 @@ fn follow<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, origin: &Sta
     // dq/dλ, from the last step.
     let mut slope = SVector::from_element(zero);
     let (mut clear, mut leaps) = (None, 0);
-    for _ in 0..const { most_steps(N) } {
+    let mut looked_at = zero;
+    for taken in 0..const { most_steps(N) } {
+        // Towards a place where an angle grows without bounds steps become ever shorter.
+        if E::ITERATED.is_empty() && taken % PACE == PACE - 1 {
+            let left = T::of(((most_steps(N) - taken) / PACE) as f64);
+            if (reached - looked_at) * left < one - reached {
+                return Err(Unfinished::TooFar);
+            }
+            looked_at = reached;
+        }
         let next = if reached + step < one { reached + step } else { one };
         let between = if next < one { equations.interpolated(next) } else { None };
         let by = next - reached;
