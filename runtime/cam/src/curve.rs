@@ -7,6 +7,10 @@ use reuleaux::{Motion, PlanarBody};
 
 use crate::CamError;
 
+/// A follower beside the cam's centre runs round the centre faster than the cam turns where the path is steep, but not by more than this factor: a
+/// point that does is carried around the cam.
+const FASTEST: f64 = 2.0;
+
 /// A point of a curve on the cam, in the cam's coordinates, with the normal and the curvature there.
 ///
 /// Displayed, it is a line of a CSV file with the columns [`CurvePoint::COLUMNS`].
@@ -35,8 +39,13 @@ impl CurvePoint {
     /// # Errors
     /// [`CamError::NoNormal`] if the derivative is zero, or is directed to the origin, so that no side of the curve is the outside.
     pub fn new(at: f64, motion: &Motion<Vector2<f64>>) -> Result<CurvePoint, CamError> {
+        CurvePoint::going_round(at, motion, cross(motion.value, motion.rate))
+    }
+
+    /// From a point with its derivatives, of a curve that goes round the origin in this sense: counter-clockwise if it is positive.
+    pub(crate) fn going_round(at: f64, motion: &Motion<Vector2<f64>>, sense: f64) -> Result<CurvePoint, CamError> {
         let Motion { value: point, rate, acceleration } = *motion;
-        let (speed, sense) = (length(rate), cross(point, rate));
+        let speed = length(rate);
         if !is_positive(speed) || !is_positive(sense.abs()) || !speed.is_finite() {
             return Err(CamError::NoNormal { at });
         }
@@ -96,10 +105,16 @@ impl CurvePoint {
 
     /// The curve that a moving point draws on the cam: for a roller its centre, which draws the pitch curve, for a knife its edge.
     ///
+    /// The curve goes round the cam against the sense in which the cam turns, also where it is so steep that the point runs ahead of the cam for a
+    /// while, at up to twice the cam's speed. A point that is faster is carried around the cam, and draws the curve in its own sense.
+    ///
     /// # Errors
     /// [`CamError::NoNormal`] if the point rests on the cam, as when the cam does not turn.
     pub fn relative(cam: &PlanarBody<f64>, point: &Motion<Vector2<f64>>) -> Result<CurvePoint, CamError> {
-        CurvePoint::new(cam.angle, &in_frame_of(cam, point))
+        let (from, motion) = (point.value - cam.position, point.rate - cam.velocity);
+        let (turns, runs) = (cam.angular_velocity, cross(from, motion) / from.dot(&from));
+        let sense = if runs.abs() <= FASTEST * turns.abs() { -turns } else { runs - turns };
+        CurvePoint::going_round(cam.angle, &in_frame_of(cam, point), sense)
     }
 
     /// The curve that a straight line touches as it moves: n(ψ) is its normal, away from the cam, and h its distance from the origin, both
@@ -242,7 +257,7 @@ impl fmt::Display for CurvePoint {
 ///   p′ = Aᵀ ḋ − ω k × p
 ///   p″ = Aᵀ d̈ − 2ω k × p′ − ω̇ k × p + ω² p
 /// ```
-fn in_frame_of(cam: &PlanarBody<f64>, point: &Motion<Vector2<f64>>) -> Motion<Vector2<f64>> {
+pub(crate) fn in_frame_of(cam: &PlanarBody<f64>, point: &Motion<Vector2<f64>>) -> Motion<Vector2<f64>> {
     let back = |vector: Vector2<f64>| turned_back(cam.angle, vector);
     let (speed, growth) = (cam.angular_velocity, cam.angular_acceleration);
     let value = back(point.value - cam.position);

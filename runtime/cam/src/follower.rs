@@ -8,7 +8,7 @@
 use nalgebra::Vector2;
 use reuleaux::{Motion, PlanarBody};
 
-use crate::curve::{axes, is_positive, perpendicular};
+use crate::curve::{axes, in_frame_of, is_positive, perpendicular};
 use crate::{CamError, CurvePoint};
 
 /// What is known of a cam at one of its angles.
@@ -172,7 +172,8 @@ impl SwingingFace {
 
 fn station(angle: f64, point: &Motion<Vector2<f64>>, path: Vector2<f64>) -> Result<Station, CamError> {
     let cam = turning(angle);
-    Ok(of(CurvePoint::relative(&cam, point)?, CurvePoint::direction(&cam, path)))
+    // The cam turns under a follower that stays at its place.
+    Ok(of(CurvePoint::going_round(angle, &in_frame_of(&cam, point), -cam.angular_velocity)?, CurvePoint::direction(&cam, path)))
 }
 
 /// The path is taken in the direction away from the cam.

@@ -63,10 +63,17 @@ impl Operations {
     }
 }
 
-/// A mechanism whose parameters are interpolated between the defaults (λ = 0) and these (λ = 1); None if they are the defaults.
+/// A mechanism whose parameters are interpolated between the defaults (λ = 0) and these (λ = 1); None if they are the defaults. With λ from 0 to −1
+/// parameters that change their sign become infinite on the way instead of zero: their reciprocals are interpolated.
 #[doc(hidden)]
 pub fn between<T: Real, M: Family<T, Over<T> = M> + PartialEq>(defaults: &M, mechanism: &M, lambda: T) -> Option<M> {
-    (mechanism != defaults).then(|| M::gather([defaults, mechanism], |[from, to]| from + lambda * (to - from)))
+    let (zero, share) = (T::of(0.0), lambda.abs());
+    let way = |[from, to]: [T; 2]| {
+        let (product, straight) = (from * to, from + share * (to - from));
+        let by_reciprocals = T::select_less(product, zero, product / (to + share * (from - to)), straight);
+        T::select_less(lambda, zero, by_reciprocals, straight)
+    };
+    (mechanism != defaults).then(|| M::gather([defaults, mechanism], way))
 }
 
 /// Magnitude of the parameter by which the derivatives with this number are taken; 1 if it is 0.

@@ -31,6 +31,9 @@ const LONGEST: f64 = 1.0;
 /// An assembly beyond the end of a branch is taken if no coordinate is farther from the guess than this, in rad or lengths.
 const TURNED: f64 = core::f64::consts::PI;
 
+/// A row that is the same at a place so far from another, in rad or lengths, does not depend on the place.
+const ASIDE: f64 = 0.37;
+
 /// Most steps, taken or not.
 const MOST: usize = 50_000;
 
@@ -243,6 +246,7 @@ where
 }
 
 /// The sign of det J, which is opposite for two assemblies that meet at the end of a branch; `None` if joints are redundant, or J is not regular.
+/// Constant coefficients that determine one coordinate alone, such as ratios and leads, have no share in it: no branch ends where they change their sign.
 fn side_of<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(mechanism: &S, q: &SVector<T, N>) -> Option<bool>
 where
     T: Scalar,
@@ -251,8 +255,19 @@ where
     let [of_positions, _] = levels(&S::LEVELS);
     let jacobian = initial_at(mechanism, q).jacobian;
     let (mut parts, none) = (Partition::empty(), SVector::from_element(T::ZERO));
-    let found = parts.pivot((&jacobian, &none), &lengths(mechanism), &of_positions, &redundant(mechanism));
-    found.ok().filter(|()| S::REDUNDANT == 0).and_then(|()| parts.pivots.sign())
+    let lengths = lengths(mechanism);
+    let found = parts.pivot((&jacobian, &none), &lengths, &of_positions, &redundant(mechanism));
+    let sign = found.ok().filter(|()| S::REDUNDANT == 0).and_then(|()| parts.pivots.sign())?;
+    let mut beside = *q;
+    put(&mut beside, &S::INTEGRATED, &moved(&picked(q, &S::INTEGRATED), T::of(ASIDE), &lengths));
+    let elsewhere = initial_at(mechanism, &beside).jacobian;
+    let is_negative = |row: usize| {
+        let mut entries = (0..I).filter(|column| jacobian[(row, *column)] != T::ZERO);
+        let only = entries.next().filter(|_| of_positions[row] && entries.next().is_none());
+        let is_constant = (0..I).all(|column| jacobian[(row, column)] == elsewhere[(row, column)]);
+        only.is_some_and(|column| is_constant && jacobian[(row, column)] < T::ZERO)
+    };
+    Some((0..R).fold(sign, |sign, row| sign ^ is_negative(row)))
 }
 
 /// Takes the residuals at the declared start away in parts; true if that succeeds.

@@ -69,21 +69,24 @@ pub(crate) fn assemble<T: Float, E: Stages<T, N>, const N: usize>(equations: &E)
     // The defaults may be placeholders that do not close; then the start is only a guess.
     let origin = equations.interpolated(zero).and_then(|defaults| assemble_near(&defaults, zero, &defaults.start()).ok());
     let Some(origin) = origin.filter(|_| equations.validate().is_ok()) else { return near(&start).map_err(alone) };
-    // Where a block with one solution changes its sign it has none, so that no way leads there.
+    // Where a block with one solution changes its sign it has none, so that the straight way does not lead there.
     if !E::UNIQUE.is_empty()
         && let Ok(state) = near(&start)
         && state.branch != origin.branch
         && has_same_signs(E::UNIQUE, &state, &origin)
     {
-        return Ok(state);
+        return Ok(around(equations, &origin).unwrap_or(state));
     }
-    let (lambda, here) = match follow(equations, &origin) {
+    let (lambda, here) = match follow(equations, &origin, |way| way) {
         Ok((state, None)) => return Ok(state),
         Ok((_, Some(cause))) => return Err(alone(cause)),
         Err(Unfinished::BranchEnds(lambda, here)) => (lambda, here),
-        // An assembly near the last state may have turned less often than its drive.
         Err(Unfinished::TooFar) if E::ITERATED.is_empty() => return near(&start).map_err(alone),
-        Err(Unfinished::TooFar) => return Err(alone(Cause::TooManySteps { steps: const { most_steps(N) } })),
+        // An assembly near the last state may have turned less often than its drive.
+        Err(Unfinished::TooFar) => {
+            let steps = const { most_steps(N) };
+            return around(equations, &origin).ok_or_else(|| alone(Cause::TooManySteps { steps }));
+        }
     };
     let first = match near(&here.q) {
         Ok(state) if has_same_signs(E::UNIQUE, &state, &origin) => return Ok(state),
@@ -146,9 +149,22 @@ enum Unfinished<T, const N: usize> {
     TooFar,
 }
 
+/// The state at the parameters on a way on which those that change their sign become infinite instead of zero: a transmission ratio with zero between
+/// turns what it drives without end on the straight way, and does not move it far on this one.
+#[cold]
+fn around<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, origin: &State<T, N>) -> Option<State<T, N>> {
+    follow(equations, origin, |way: T| -way).ok().and_then(|(state, misfit)| if misfit.is_none() { Some(state) } else { None })
+}
+
 /// Follows the branch from the defaults. Returns the state at the parameters, with the redundant joint that does not fit there if
 /// there is one.
-fn follow<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, origin: &State<T, N>) -> Result<CheckedState<T, N>, Unfinished<T, N>> {
+///
+/// * `lambda`: given, what [`Stages::interpolated`] takes, as a function of the way from 0 to 1.
+fn follow<T: Float, E: Stages<T, N>, const N: usize>(
+    equations: &E,
+    origin: &State<T, N>,
+    lambda: impl Fn(T) -> T,
+) -> Result<CheckedState<T, N>, Unfinished<T, N>> {
     let (zero, one) = (T::of(0.0), T::of(1.0));
     let (mut here, mut reached, mut step) = (origin.clone(), zero, one);
     // dq/dλ, from the last step.
@@ -157,7 +173,7 @@ fn follow<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, origin: &Sta
     let mut looked_at = zero;
     for taken in 0..const { most_steps(N) } {
         // Towards a place where an angle grows without bounds steps become ever shorter.
-        if E::ITERATED.is_empty() && taken % PACE == PACE - 1 {
+        if taken % PACE == PACE - 1 {
             let left = T::of(((most_steps(N) - taken) / PACE) as f64);
             if (reached - looked_at) * left < one - reached {
                 return Err(Unfinished::TooFar);
@@ -165,7 +181,7 @@ fn follow<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, origin: &Sta
             looked_at = reached;
         }
         let next = if reached + step < one { reached + step } else { one };
-        let between = if next < one { equations.interpolated(next) } else { None };
+        let between = if next < one { equations.interpolated(lambda(next)) } else { None };
         let by = next - reached;
         match stride(&Followed::new(&between.as_ref().unwrap_or(equations)), &here, &slope, by) {
             // Redundant joints need not fit between the defaults and the parameters.
@@ -183,7 +199,7 @@ fn follow<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, origin: &Sta
         if step < T::ROOT_EPSILON * reached + T::EPSILON * T::EPSILON && !turns(equations, &slope, step) {
             if leaps < MOST_LEAPS
                 && let Some(before) = &clear
-                && let Some((found, beyond)) = leap(equations, before, reached)
+                && let Some((found, beyond)) = leap(equations, before, reached, &lambda)
             {
                 if beyond == one {
                     return Ok(found);
@@ -206,13 +222,14 @@ fn leap<T: Float, E: Stages<T, N>, const N: usize>(
     equations: &E,
     (before, from, slope): &(State<T, N>, T, SVector<T, N>),
     place: T,
+    lambda: &impl Fn(T) -> T,
 ) -> Option<(CheckedState<T, N>, T)> {
     let (one, beyond) = (T::of(1.0), place + (place - *from));
     if beyond <= place {
         return None;
     }
     let beyond = if beyond < one { beyond } else { one };
-    let between = if beyond < one { equations.interpolated(beyond) } else { None };
+    let between = if beyond < one { equations.interpolated(lambda(beyond)) } else { None };
     let there = between.as_ref().unwrap_or(equations);
     let mechanism = Followed::new(&there);
     let predicted = moved(&before.q, beyond - *from, slope);

@@ -2,7 +2,7 @@
 //! branch.
 //!
 //! Where one warm step is not enough, the inputs are led along polynomials of fifth degree in time that have the given values, rates and
-//! accelerations at both ends. This is a motion by laws of time, which is followed like any other: by steps short enough that the branch
+//! accelerations at both ends, or if these lead astray the values alone, from rest to rest. This is a motion by laws of time, which is followed like any other: by steps short enough that the branch
 //! is certain, and across change points. Inputs that jump at one time are led along in a time of their own, in which `t` stands still. It is
 //! so short that laws of `t` would change nothing in it: their rates are among the rates on the way, and steps follow these.
 
@@ -30,6 +30,8 @@ pub(crate) struct Along<'a, T: Real, E: Commanded<T>> {
     times: [T; 2],
     /// The time that laws read, if it stands still.
     still: Option<T>,
+    /// True if the inputs begin and end at rest, whatever their rates.
+    rests: bool,
     over: PhantomData<T>,
 }
 
@@ -43,7 +45,8 @@ impl<T: Real, E: Commanded<T>> Along<'_, T, E> {
     fn at(&self, t: T) -> (E, T) {
         let [begin, end] = self.times;
         let whole = end - begin;
-        let inputs = if t == end { self.to } else { E::between(&self.from, &self.to, whole, (t - begin) / whole) };
+        let signed = if self.rests { -whole } else { whole };
+        let inputs = if t == end { self.to } else { E::between(&self.from, &self.to, signed, (t - begin) / whole) };
         (self.mechanism.with(inputs), self.still.unwrap_or(t))
     }
 }
@@ -110,11 +113,14 @@ pub(crate) fn lead<'a, T: Float, E: Commanded<T> + Stages<T, N>, const N: usize>
 ) -> Result<(), (Along<'a, T, E>, Ended<T, N>)> {
     let near = T::of(ONE_TIME) * T::EPSILON * state.t.abs().max(t.abs());
     if (t - state.t).abs() > near || !t.is_finite() {
-        let way = Along { mechanism, from, to, times: [state.t, t], still: None, over: PhantomData };
-        return advance_by_steps(&way, state, t).map_err(|ended| (way, ended));
+        let times = [state.t, t];
+        let way = |rests| Along { mechanism, from, to, times, still: None, rests, over: PhantomData };
+        let Err(ended) = advance_by_steps(&way(false), state, t) else { return Ok(()) };
+        // Over a long time rates lead far away from both ends.
+        return advance_by_steps(&way(true), state, t).map_err(|_| (way(false), ended));
     }
     let brief = T::EPSILON;
-    let way = Along { mechanism, from, to, times: [T::of(0.0), brief], still: Some(t), over: PhantomData };
+    let way = Along { mechanism, from, to, times: [T::of(0.0), brief], still: Some(t), rests: false, over: PhantomData };
     let mut led = state.clone();
     led.values.t = T::of(0.0);
     if let Err(ended) = advance_by_steps(&way, &mut led, brief) {

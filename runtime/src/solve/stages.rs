@@ -37,7 +37,8 @@ pub trait Stages<T: SolverReal, const N: usize>: Description<T, N> {
     const MAY_BE_NON_FINITE: Option<&'static [usize]> = None;
 
     /// The mechanism with parameters interpolated between the declared defaults (λ = 0), for which [`start`](Description::start) is
-    /// assembled, and these (λ = 1). None if there are no parameters, or they are the defaults.
+    /// assembled, and these (λ = 1). With λ from 0 to −1 parameters that change their sign become infinite on the way instead of zero. None if
+    /// there are no parameters, or they are the defaults.
     fn interpolated(&self, lambda: T) -> Option<Self>
     where
         Self: Sized,

@@ -83,7 +83,7 @@ impl<T: Real> Motion<T> {
     }
 
     /// On a smooth way: the polynomial of fifth degree that has the value, the rate and the acceleration of `from` at its begin and those
-    /// of `to` at its end, after the share `share` of its duration `h` (s).
+    /// of `to` at its end, after the share `share` of its duration `h` (s). With a negative `h` it lasts |h|, from rest to rest.
     ///
     /// ```text
     /// x = x₀ + h ẋ₀ s + h² ẍ₀ s² / 2 + s³ (c₃ + s (c₄ + s c₅))
@@ -92,10 +92,12 @@ impl<T: Real> Motion<T> {
     #[must_use]
     pub fn between(from: &Self, to: &Self, h: T, share: T) -> Self {
         let (of, s) = (T::of, share);
-        let (first, second) = (h * from.rate, h * h * from.acceleration);
+        let felt = h.max(of(0.0));
+        let h = h.abs();
+        let (first, second) = (felt * from.rate, felt * felt * from.acceleration);
         let value = ((to.value - from.value) - first) - of(0.5) * second;
-        let rate = h * (to.rate - from.rate) - second;
-        let acceleration = h * h * (to.acceleration - from.acceleration);
+        let rate = felt * (to.rate - from.rate) - second;
+        let acceleration = felt * felt * (to.acceleration - from.acceleration);
         let c3 = of(10.0) * value - of(4.0) * rate + of(0.5) * acceleration;
         let c4 = of(7.0) * rate - of(15.0) * value - acceleration;
         let c5 = of(6.0) * value - of(3.0) * rate + of(0.5) * acceleration;

@@ -46,7 +46,7 @@ codes! {
         Motion::PlaceWithoutAt Motion::StartWithEquals Motion::FreedomWithoutName Motion::DriveWithoutName Grammar::OneEqualsSign
         Grammar::HashComment Grammar::CommaAtEnd Grammar::DecimalComma Grammar::OutputWithoutName Grammar::OutputWithDimension
         Grammar::TwoConditions Grammar::ConditionInParentheses Grammar::NumberBeforeParentheses Grammar::OutputInUnit Grammar::ArrayOfDimension
-        Grammar::ComparisonOutside Grammar::ForceBeforePlace Grammar::StraySemicolon Grammar::BodyWithoutBraces Grammar::ParameterWithoutDimension Grammar::Return Grammar::Misspelt Grammar::BoundsElsewhere;
+        Grammar::ComparisonOutside Grammar::ForceBeforePlace Grammar::StraySemicolon Grammar::BodyWithoutBraces Grammar::WithoutEquals Grammar::ParameterWithoutDimension Grammar::Return Grammar::Misspelt Grammar::BoundsElsewhere;
     E0002: Grammar::NotANumber;
     E0003: Grammar::TooDeep Grammar::TooLong Grammar::LongChain Grammar::PartsTooDeep;
     E0004: Grammar::Keyword;
@@ -89,11 +89,11 @@ codes! {
     E0207: Grammar::OneArgument Value::FunctionNeedsArgument;
     E0208: Arity::DefaultBefore;
     // Kinds and dimensions.
-    E0301: Value::NotA Value::NotAnOutput Value::NotAStart Motion::TorqueWithoutAxis Motion::TorqueWithAxis Motion::ForceWithoutDirection
+    E0301: Value::NotA Value::NotAnOutput Value::NotAStart Value::AnglesForOrientation Motion::TorqueWithoutAxis Motion::TorqueWithAxis Motion::ForceWithoutDirection
         Motion::GravityWithoutDirection
         Motion::ForceAtNoPoint Motion::TorqueOnNoBody Motion::ValueForForce Motion::ValueForConstraint Motion::FreedomOfJoint
         Motion::FreedomOfOrientation Motion::FreedomOfNothing;
-    E0302: Value::WrongArgument Value::CoordinateForAxis Value::WrongDefault Motion::JointWithoutValue Arity::OtherOrder Arity::FunctionOrder;
+    E0302: Value::WrongArgument Value::CoordinateForAxis Value::WrongDefault Motion::JointWithoutValue Arity::OtherOrder Arity::JointForEnds Arity::FunctionOrder;
     E0303: Value::WrongArgumentDimension;
     E0304: Value::Unlike Value::BareGains Value::NotARate;
     E0305: Value::WrongDimension Value::NotAnEnergy Value::OfFunction Value::NotALength Motion::RateForStart Motion::StartForRate;

@@ -232,9 +232,16 @@ impl fmt::Display for Doubt {
                 write!(f, "the axes of the gears of `{joint}` are {distance} apart, and their radii {how} {needed}")?;
                 write!(f, "\nhelp: change a radius, or the place of an axis")
             }
+            Doubt::DegreesInOutput { written, angle } => {
+                write!(f, "`{written}` is an angle, and outputs of angles are in rad: it is 57 times too large")?;
+                write!(f, "\nhelp: write `{angle} / 1deg` for the number of degrees, or `.to_degrees()` in Rust")
+            }
+            Doubt::CarrierAsRing { carrier, instead } => {
+                write!(f, "`{carrier}` is in the place of the ring gear\nhelp: write `{instead}`: sun gear, ring gear, carrier")
+            }
             Doubt::RingInsideSun { joint, ring, sun } => {
-                write!(f, "the ring gear of `{joint}` ({ring}) is smaller than the sun gear inside it ({sun})")?;
-                write!(f, "\nhelp: the sun gear comes first, as in `z_sun: 20, z_ring: 60`")
+                write!(f, "the ring gear of `{joint}` ({ring}) is not larger than the sun gear inside it ({sun})")?;
+                write!(f, "\nhelp: the sun gear comes first, as in `z_sun: 20, z_ring: 60`; the planets have no number")
             }
             Doubt::MotionEnds(fact) => write!(f, "{fact}"),
             Doubt::UnusedImport { name } => write!(f, "nothing in this mechanism uses `{name}`\nhelp: remove `{name}` from `use`"),

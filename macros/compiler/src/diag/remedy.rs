@@ -78,6 +78,7 @@ pub(super) fn about_an_axis(definition: &str, found: &Kind) -> Option<&'static s
         "damper" => Some("torsion_damper"),
         "spring_damper" => Some("torsion_spring_damper"),
         "actuator" => Some("motor"),
+        "friction" => Some("torsion_friction"),
         "nonlinear_spring" => Some("nonlinear_torsion_spring"),
         "stop" | "stop_along" => Some("torsion_stop"),
         _ => None,
@@ -157,6 +158,12 @@ pub(super) fn of_dimension(wanted: Dim, found: Dim) -> &'static str {
         (Dim::ANGLE, Dim::TORQUE) => "\nhelp: for a given torque write `force name = motor(…);`, and for the motion `freedom name = …;`",
         (Dim::LENGTH, Dim::FORCE) => {
             "\nhelp: for a given force write `force name = actuator(P, Q, F);`, and for the motion `freedom name = …;`"
+        }
+        (Dim::TORQUE, found) if Dim::ANGLE == found.times(Dim::TIME) => {
+            "\nhelp: a speed is driven by its integral: write `drive name = drive_angle(body, 60rpm * t);`, in space `drive_rotation(joint, 60rpm * t)`"
+        }
+        (Dim::FORCE, found) if Dim::LENGTH == found.times(Dim::TIME) => {
+            "\nhelp: a speed is driven by its integral: write `drive name = drive_distance(P, Q, 100mm + 10mm_s * t);`"
         }
         (Dim::MASS, Dim::FORCE) => "\nhelp: a mass is in kg, such as `2kg`; its weight follows from `gravity`",
         (Dim::TORQUE, Dim::FORCE) => "\nhelp: a torque is a force times an arm, such as `5Nm`; a force is written `at point: (0N, -5N);`",

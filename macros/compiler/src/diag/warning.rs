@@ -185,7 +185,21 @@ pub enum Doubt {
         /// True if one of them has its teeth inside.
         is_internal: bool,
     },
-    /// The ring gear of a planetary train is smaller than its sun gear.
+    /// An angle with a factor for degrees as an output.
+    DegreesInOutput {
+        /// The output as written.
+        written: String,
+        /// The angle.
+        angle: String,
+    },
+    /// A planetary train whose carrier is given as its ring gear.
+    CarrierAsRing {
+        /// The body in the place of the ring gear.
+        carrier: String,
+        /// The call in the right order.
+        instead: String,
+    },
+    /// The ring gear of a planetary train is not larger than its sun gear.
     RingInsideSun {
         /// The joint.
         joint: String,
@@ -242,6 +256,8 @@ impl Warning {
             Doubt::CenteredRod { .. } => "centered_rod",
             Doubt::Undercut { .. } => "undercut",
             Doubt::GearsApart { .. } => "gears_apart",
+            Doubt::DegreesInOutput { .. } => "degrees_in_output",
+            Doubt::CarrierAsRing { .. } => "carrier_as_ring",
             Doubt::RingInsideSun { .. } => "ring_inside_sun",
             Doubt::MotionEnds(_) => "motion_ends",
             Doubt::UnusedImport { .. } => "unused_import",

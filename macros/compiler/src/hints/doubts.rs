@@ -45,6 +45,8 @@ pub(crate) fn doubtful_expressions(tree: &Mechanism) -> Vec<Warning> {
         at_top.iter().for_each(|value| value.each(&mut |part| found.extend(names.doubt(part))));
         found.extend(names.turns_driven(item));
         found.extend(negative_coefficients(item));
+        found.extend(degrees_in_output(item));
+        found.extend(swapped_carrier(item));
         if let Item::Gravity(gravity) = item {
             found.extend(unusual_gravity(&gravity.value));
             let without_mass = Warning { doubt: Doubt::GravityWithoutMass, range: gravity.value.range };
@@ -178,6 +180,37 @@ fn turns_as_speed(value: &Expression) -> Option<Warning> {
     let rounded = (per_minute * 1e6).round() / 1e6;
     let doubt = Doubt::TurnsAsSpeed { written: value.to_string(), in_rpm: format!("{rounded}rpm") };
     (none.is_empty() && dim == Dim::TIME && rounded.is_finite()).then_some(Warning { doubt, range: value.range })
+}
+
+/// Doubts an angle that is multiplied by 180 and divided by pi.
+fn degrees_in_output(item: &Item) -> Option<Warning> {
+    let Item::Output(output) = item else { return None };
+    let of = |value: &Expression, operator: Operator| match &value.kind {
+        ExpressionKind::Binary(found, one, two) if *found == operator => Some((one.clone(), two.clone())),
+        _ => None,
+    };
+    let is_half_turn = |value: &Expression| matches!(&value.kind, ExpressionKind::Number { digits, .. } if digits.parse() == Ok(180.0));
+    let is_pi = |value: &Expression| value.name().is_some_and(|name| name == "pi");
+    let (product, last) = of(&output.value, Operator::Div)?;
+    let (angle, factor) = of(&product, Operator::Mul)?;
+    if !is_half_turn(&factor) || !is_pi(&last) || !angle.to_string().contains(".angle") {
+        return None;
+    }
+    let doubt = Doubt::DegreesInOutput { written: output.value.to_string(), angle: angle.to_string() };
+    Some(Warning { doubt, range: output.value.range })
+}
+
+/// Doubts a planetary train whose carrier is given as its ring gear.
+fn swapped_carrier(item: &Item) -> Option<Warning> {
+    let Item::Joint(joint) = item else { return None };
+    let JointBody::Of { kind, arguments } = &joint.body else { return None };
+    let [sun, ring, carrier, ..] = arguments.as_slice() else { return None };
+    let is_called = |argument: &Argument, word: &str| argument.name.is_none() && argument.value.to_string().contains(word);
+    if kind != "planetary" || !is_called(ring, "carrier") || !is_called(carrier, "ring") {
+        return None;
+    }
+    let instead = format!("planetary({}, {}, {}, …)", sun.value, carrier.value, ring.value);
+    Some(Warning { doubt: Doubt::CarrierAsRing { carrier: ring.value.to_string(), instead }, range: ring.value.range })
 }
 
 /// Doubts negative stiffnesses and dampings that are written out.

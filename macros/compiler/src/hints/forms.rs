@@ -45,6 +45,42 @@ pub(crate) fn cross_product(value: &Expression) -> Option<[&Expression; 2]> {
     }
 }
 
+/// The turns about x, y and z by three angles that are written as a vector.
+pub(crate) fn by_turns(value: &Expression) -> Option<String> {
+    let ExpressionKind::Tuple(angles) = &value.kind else { return None };
+    let [x, y, z] = angles.as_slice() else { return None };
+    Some(format!("turn((1, 0, 0), {x}) * turn((0, 1, 0), {y}) * turn((0, 0, 1), {z})"))
+}
+
+/// A step between two values, or a ramp, as other programs write them, as a law: `STEP(t, 0, 0, 1, height)`, `ramp(t, speed)`.
+pub(crate) fn by_law(name: &Ident, arguments: &[Expression]) -> Option<String> {
+    let law = match name.to_string().to_lowercase().as_str() {
+        "step" => "smooth_step",
+        "step5" => "polynomial_345",
+        "havsin" => "harmonic",
+        "ramp" => return if let [variable, rate] = arguments { Some(format!("{rate} * {variable}")) } else { None },
+        _ => return None,
+    };
+    let [variable, from, low, to, high] = arguments else { return None };
+    let is_time = variable.name().is_some_and(|name| name == "t");
+    let end = |value: &Expression| format!("{value}{}", if is_time && is_bare(value) { "s" } else { "" });
+    let share = match is_zero(from) {
+        true => format!("{variable} / {}", end(to)),
+        false => format!("({variable} - {}) / ({} - {})", end(from), end(to), end(from)),
+    };
+    Some(match is_zero(low) {
+        true => format!("{high} * {law}({share})"),
+        false => format!("{low} + ({high} - {low}) * {law}({share})"),
+    })
+}
+
+/// A law of the time that lacks the unit of an angular velocity: `2 * pi * t` as `2 * pi * 1rad_s * t`.
+pub(crate) fn with_rate(value: &Expression) -> Option<String> {
+    let ExpressionKind::Binary(Operator::Mul, factor, time) = &value.kind else { return None };
+    let is_time = time.name().is_some_and(|name| name == "t");
+    (is_time && !matches!(factor.kind, ExpressionKind::Number { .. })).then(|| format!("{factor} * 1rad_s * t"))
+}
+
 /// True for a literal zero, as a number or as a vector.
 pub(crate) fn is_zero(value: &Expression) -> bool {
     match &value.kind {
@@ -52,13 +88,6 @@ pub(crate) fn is_zero(value: &Expression) -> bool {
         ExpressionKind::Tuple(items) => items.iter().all(is_zero),
         _ => false,
     }
-}
-
-/// The name of a point written as `body.point`.
-pub(crate) fn point_of(value: &Expression, body: &str) -> Option<String> {
-    let ExpressionKind::Field(owner, point) = &value.kind else { return None };
-    let ExpressionKind::Path(path) = &owner.kind else { return None };
-    (path.name.as_ref()? == body).then(|| point.to_string())
 }
 
 /// The body of `body.orientation`.

@@ -5,7 +5,7 @@ use super::signature::{fits, signature};
 use super::value::{FrameId, Value};
 use crate::diag::ArityFact;
 use crate::expr::Arena;
-use crate::quantity::Ambient;
+use crate::quantity::{Ambient, InferredDim};
 use crate::syntax::ast::{Argument, Definition, Formal, FormalKind};
 
 /// For each argument the first parameter that it fits behind that of the argument before it; `None` if one fits none. A body stands for its origin.
@@ -71,6 +71,47 @@ pub(crate) fn completed(definition: &Definition, given: &[(usize, String)], ambi
 }
 
 impl Names {
+    /// The call with two points, axes or bodies of a joint in the place of its name; `None` if they are not all that is missing.
+    pub(crate) fn with_ends(&self, definition: &Definition, given: &[Argument], values: &[Value]) -> Option<ArityFact> {
+        let (Some((joint, rest)), Some(Value::Joint { kind, arguments })) = (given.split_first(), values.first()) else { return None };
+        let needed = definition.parameters.iter().filter(|formal| formal.default.is_none()).count();
+        if !(needed..=definition.parameters.len()).contains(&(rest.len() + 2)) {
+            return None;
+        }
+        let marks = |is_of: fn(&Value) -> bool| arguments.iter().filter(move |(_, value)| is_of(value)).map(|(name, _)| name.as_str());
+        let axes: Vec<&str> = marks(|value| matches!(value, Value::Axis(_))).collect();
+        let points: Vec<&str> = marks(|value| matches!(value, Value::Point(_))).collect();
+        let has_way = ["translational", "cylindrical", "screw", "distance", "point_on_line"].contains(&kind.as_str());
+        let mut frames: Vec<FrameId> = arguments.iter().filter_map(|(_, value)| value.frame()).collect();
+        frames.dedup();
+        let mut written = Vec::new();
+        for (end, formal) in definition.parameters[..2].iter().enumerate() {
+            written.push(match formal.kind {
+                FormalKind::Axis => format!("{}.{}", joint.value, axes.get(end)?),
+                FormalKind::Point if has_way => format!("{}.{}", joint.value, points.get(end)?),
+                FormalKind::Body => self.frames[frames.get(end)?.0].name.clone(),
+                _ => return None,
+            });
+        }
+        let ends = match definition.parameters[..2] {
+            [Formal { kind: FormalKind::Axis, .. }, Formal { kind: FormalKind::Axis, .. }] => "two axes",
+            [Formal { kind: FormalKind::Axis, .. }, _] => "an axis and a body",
+            [Formal { kind: FormalKind::Point, .. }, ..] => "two points",
+            _ => "two bodies",
+        };
+        written.extend(rest.iter().map(|argument| argument.value.to_string()));
+        let instead = match (rest, self.ambient) {
+            ([law], Ambient::Plane) if definition.name == "drive_distance" && kind == "translational" => {
+                format!("drive_along({}, {})", joint.value, law.value)
+            }
+            ([law], Ambient::Space) if definition.name == "drive_distance" && kind == "translational" => {
+                format!("drive_translation({}, {})", joint.value, law.value)
+            }
+            _ => format!("{}({})", definition.name, written.join(", ")),
+        };
+        Some(ArityFact::JointForEnds { definition: definition.name.to_string(), signature: signature(definition), ends, instead })
+    }
+
     /// The error for arguments that lack nothing but axes, as those of a joint of the plane do in space, or nothing but points, with the call
     /// that has them; `None` if no point tells the body of an axis, or no axis that of a point.
     pub(crate) fn with_marks(&self, definition: &Definition, given: &[(usize, String)], values: &[Value]) -> Option<ArityFact> {
@@ -78,6 +119,14 @@ impl Names {
         let mut last: Option<(String, FrameId)> = None;
         for (index, formal) in definition.parameters.iter().enumerate() {
             match given.iter().position(|(place, _)| *place == index) {
+                // An axis of another body belongs elsewhere.
+                Some(number)
+                    if matches!(values[number], Value::Axis(_))
+                        && last.as_ref().is_some_and(|(_, own)| values[number].frame() != Some(*own)) =>
+                {
+                    let (owner, frame) = last.as_ref()?;
+                    written.push(format!("{owner}.{}", self.an_axis_of(*frame)?));
+                }
                 Some(number) => {
                     written.push(given[number].1.clone());
                     if let (Value::Point(_) | Value::Body(_), Some(frame)) = (&values[number], values[number].frame()) {
@@ -108,12 +157,12 @@ impl Names {
     }
 }
 
-/// The arguments in the order of the parameters that they fit; `None` if they fit in no order.
+/// The arguments in the order of the parameters that they fit; `None` if they fit in no order, or as they are given.
 pub(crate) fn reordered(arena: &Arena, definition: &Definition, given: &[Argument], values: Vec<Value>) -> Option<Vec<String>> {
     let mut open: Vec<(&Argument, Value)> = given.iter().zip(values).collect();
     // What is written out is of ground.
     let frame = |value: &Value| value.frame().unwrap_or(FrameId::GROUND);
-    let (mut ordered, mut last_frame) = (Vec::new(), FrameId::GROUND);
+    let (mut ordered, mut last_frame, mut is_as_given) = (Vec::new(), FrameId::GROUND, true);
     for (index, formal) in definition.parameters[..given.len()].iter().enumerate() {
         // A point and the axis after it belong to one body.
         let is_axis = |formal: &Formal| matches!(formal.kind, FormalKind::Axis);
@@ -121,11 +170,19 @@ pub(crate) fn reordered(arena: &Arena, definition: &Definition, given: &[Argumen
         let axes = open.iter().filter(|(_, value)| fits(arena, &FormalKind::Axis, value));
         let axes: Vec<FrameId> = axes.map(|(_, value)| frame(value)).collect();
         let is_beside = |own: FrameId| if is_axis(formal) { own == last_frame } else { has_axis && axes.contains(&own) };
-        let fitting: Vec<usize> = (0..open.len()).filter(|place| fits(arena, &formal.kind, &open[*place].1)).collect();
-        let place = *fitting.iter().find(|place| is_beside(frame(&open[**place].1))).or(fitting.first())?;
+        let takes = |value: &Value| fits(arena, &formal.kind, value) || stands_for_point(formal, value);
+        let fitting: Vec<usize> = (0..open.len()).filter(|place| takes(&open[*place].1)).collect();
+        let is_exact = |place: &&usize| match (&formal.kind, &open[**place].1) {
+            (FormalKind::Scalar(written), Value::Scalar(scalar)) => written.dim().map(InferredDim::Known) == Some(scalar.measure),
+            _ => false,
+        };
+        let best = fitting.iter().find(|place| is_beside(frame(&open[**place].1))).or(fitting.iter().find(is_exact));
+        let place = *best.or(fitting.first())?;
+        is_as_given &= place == 0;
         let (argument, value) = open.remove(place);
-        ordered.push(argument.value.to_string());
+        let point = if stands_for_point(formal, &value) { ".position" } else { "" };
+        ordered.push(format!("{}{point}", argument.value));
         last_frame = frame(&value);
     }
-    Some(ordered)
+    (!is_as_given).then_some(ordered)
 }

@@ -1,8 +1,9 @@
 //! Items that messages propose, written with names that are declared.
 
-use super::{FrameId, Names, Value};
+use super::{Arguments, Declared, Entity, FrameId, Names, Progress, Value};
 use crate::quantity::Ambient;
-use crate::syntax::ast::Relation;
+use crate::syntax::ast::{Expression, ExpressionKind, JointBody, Relation};
+use std::collections::BTreeSet;
 
 impl Names {
     /// A drive of the first body, or of a joint in space, by a law.
@@ -30,16 +31,59 @@ impl Names {
         ) {
             return vec![format!("dot({joint}.{to} - {joint}.{from}, {joint}.{axis})")];
         }
+        match (self.bodies_of(arguments).as_slice(), self.ambient) {
+            ([.., one, two], Ambient::Plane) => vec![format!("{two}.angle - {one}.angle")],
+            ([only], Ambient::Plane) => vec![format!("{only}.angle")],
+            ([.., last], Ambient::Space) => vec![format!("{last}.angular_velocity")],
+            ([], _) => Vec::new(),
+        }
+    }
+
+    /// What the bodies of a joint have in the plane for its angle or its displacement.
+    pub(crate) fn of_bodies(&self, name: &str, joint: &str, arguments: &[(String, Value)]) -> Option<String> {
+        let is_meant = self.ambient == Ambient::Plane && ["angle", "displacement"].contains(&name);
+        is_meant.then(|| self.coordinates_across(joint, arguments).pop())?
+    }
+
+    /// The bodies that a joint was made with, except ground.
+    pub(crate) fn bodies_of(&self, arguments: &[(String, Value)]) -> Vec<&str> {
         let mut frames: Vec<FrameId> = arguments.iter().filter_map(|(_, value)| value.frame()).collect();
         frames.retain(|frame| *frame != FrameId::GROUND);
         frames.dedup();
-        let name = |frame: &FrameId| &self.frames[frame.0].name;
-        match (frames.as_slice(), self.ambient) {
-            ([.., one, two], Ambient::Plane) => vec![format!("{}.angle - {}.angle", name(two), name(one))],
-            ([only], Ambient::Plane) => vec![format!("{}.angle", name(only))],
-            ([.., last], Ambient::Space) => vec![format!("{}.angular_velocity", name(last))],
-            ([], _) => Vec::new(),
+        frames.iter().map(|frame| self.frames[frame.0].name.as_str()).collect()
+    }
+
+    /// The last body that the joint of this name was made with.
+    pub(crate) fn moved_by(&self, joint: &str) -> Option<&str> {
+        let is_it = |declared: &&Declared| declared.name.path == joint;
+        match &self.declared.iter().find(is_it)?.progress {
+            Progress::Done(Value::Joint { arguments, .. }) => self.bodies_of(arguments).pop(),
+            _ => None,
         }
+    }
+
+    /// The names of the joints that a body was made with, if they fit.
+    pub(crate) fn joints_of(&self, frame: FrameId) -> impl Iterator<Item = (&str, &str, &Arguments)> {
+        self.declared.iter().filter_map(move |declared| match &declared.progress {
+            Progress::Done(Value::Joint { kind, arguments }) if arguments.iter().any(|(_, value)| value.frame() == Some(frame)) => {
+                Some((declared.name.path.as_str(), kind.as_str(), arguments))
+            }
+            _ => None,
+        })
+    }
+
+    /// The first point of a body that no joint is written with; else its first point, or its origin.
+    pub(crate) fn free_point_of(&self, frame: FrameId) -> String {
+        let body = &self.frames[frame.0].name;
+        let mut used = BTreeSet::new();
+        for declared in &self.declared {
+            let Entity::Joint(joint) = &declared.entity else { continue };
+            let JointBody::Of { arguments, .. } = &joint.body else { continue };
+            used.extend(arguments.iter().filter_map(|argument| point_of(&argument.value, body)));
+        }
+        let points: Vec<&str> = self.points_of(frame).collect();
+        let free = points.iter().find(|point| !used.contains(**point));
+        free.or(points.first()).map_or("position".to_owned(), |point| (*point).to_owned())
     }
 
     /// Another point or axis in the place of `given`, if its body must, or must not, be `other`.
@@ -65,4 +109,11 @@ impl Names {
             _ => None,
         }
     }
+}
+
+/// The name of a point written as `body.point`.
+fn point_of(value: &Expression, body: &str) -> Option<String> {
+    let ExpressionKind::Field(owner, point) = &value.kind else { return None };
+    let ExpressionKind::Path(path) = &owner.kind else { return None };
+    (path.name.as_ref()? == body).then(|| point.to_string())
 }

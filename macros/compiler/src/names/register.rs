@@ -7,6 +7,7 @@ use crate::geometry::{Geometry, Place, Relationship, Triad};
 use crate::model::{JointStart, Name, Of};
 use crate::quantity::{Ambient, Role};
 use crate::syntax::ast;
+use crate::words::nearest;
 use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -91,7 +92,10 @@ pub(crate) fn misread_height(ambient: Ambient, written: &ast::Expression, value:
     }
 }
 
-pub(crate) fn unknown_field(value: &Value, name: String, ambient: Ambient) -> NameFact {
+/// What is wrong with a field that the value does not have.
+///
+/// * `written`: given, the value.
+pub(crate) fn unknown_field(value: &Value, name: String, written: &ast::Expression, ambient: Ambient) -> NameFact {
     if name == HEIGHT && ambient == Ambient::Plane && matches!(value, Value::Point(_) | Value::Axis(_) | Value::Vector(_)) {
         return NameFact::NoHeight { owner: value.kind().to_string(), is_axis: false };
     }
@@ -101,7 +105,8 @@ pub(crate) fn unknown_field(value: &Value, name: String, ambient: Ambient) -> Na
         Value::Vector(_) => axes.collect(),
         _ => Vec::new(),
     };
-    NameFact::UnknownField { owner: value.kind().to_string(), name, near: None, known: Known::of(known.into_iter()) }
+    let near = nearest(&name, ["rate"].into_iter()).map(|_| format!("rate({written})"));
+    NameFact::UnknownField { owner: value.kind().to_string(), name, near, known: Known::of(known.into_iter()) }
 }
 
 /// Properties of expressions while a mechanism is resolved.

@@ -3,9 +3,10 @@
 use super::Function as Numbered;
 use super::elaborate::Elaborator;
 use super::{Components, Name, Requirement};
-use crate::diag::{ArityFact, Fact, NameFact, Range, Typed, ValueFact, Wanted};
+use crate::diag::{ArityFact, Fact, NameFact, Note, Range, Typed, ValueFact, Wanted};
 use crate::expr::spline::Table;
 use crate::expr::{Arena, Expr, Unary};
+use crate::hints::{by_law, with_rate};
 use crate::library;
 use crate::names::{BUILTINS, Fixed, FunctionValue, Key, SPATIAL_BUILTINS, Scalar, Scope, Value, Vector, is_elsewhere};
 use crate::profile::{self, SEGMENTS, Valuer, table};
@@ -49,6 +50,7 @@ impl Elaborator<'_> {
                 return self.refuse(name, ValueFact::only_elsewhere(meant.clone(), Some(typed), self.names.ambient));
             }
             let is_force = library::find(&name.to_string(), self.names.ambient).map(|found| found.is_force);
+            let near = by_law(name, arguments).or(near);
             return self.refuse(name, NameFact::UnknownFunction { name: name.to_string(), near, is_force });
         }
         let callee = ast::Expression { kind: ExpressionKind::Path(path.clone()), range: path.range, depth: 1 };
@@ -110,7 +112,14 @@ impl Elaborator<'_> {
         let scalar = self.scalar(argument, scope)?;
         let plain = |this: &mut Self, wanted: Dim| {
             let found = scalar.measure.settled();
-            if found.is_plain() { Some(()) } else { this.refuse(argument.range, ValueFact::OfFunction { wanted, found }) }
+            let fact = ValueFact::OfFunction { wanted, found };
+            match with_rate(argument) {
+                _ if found.is_plain() => Some(()),
+                Some(written) if (wanted, found) == (Dim::ANGLE, Dim::TIME) => {
+                    this.refuse(argument.range, Fact::Noted { fact: Box::new(fact.into()), note: Note::Instead { written } })
+                }
+                _ => this.refuse(argument.range, fact),
+            }
         };
         let (function, measure) = match word {
             "sin" | "cos" | "tan" => {

@@ -425,13 +425,15 @@ impl Elaborator<'_> {
                         .into_iter()
                         .filter(|word| self.quantity_of(&kind, &arguments, word).is_some()),
                 );
-                let (near, known) = (self.nearest(&name, words.iter().copied()), Known::of(words.iter().copied()));
+                let near = self.nearest(&name, words.iter().copied());
+                let near = near.or_else(|| self.names.of_bodies(&name, &owner.to_string(), &arguments));
+                let known = Known::of(words.iter().copied());
                 return self.refuse(field, NameFact::UnknownField { owner: crate::library::described(&kind), name, near, known });
             }
             _ if self.names.ambient.component(&name).is_some() => {}
-            _ => return self.refuse(field, unknown_field(&value, name, self.names.ambient)),
+            _ => return self.refuse(field, unknown_field(&value, name, owner, self.names.ambient)),
         }
-        let unknown = unknown_field(&value, name.clone(), self.names.ambient);
+        let unknown = unknown_field(&value, name.clone(), owner, self.names.ambient);
         let Some(vector) = self.as_vector(value) else {
             return self.refuse(field, unknown);
         };
@@ -478,7 +480,8 @@ impl Elaborator<'_> {
                 let words = others.into_iter().chain(axes).map(Role::name).filter(|word| !own.contains(word));
                 let words: Vec<&str> = words.chain(["angular_velocity"]).collect();
                 let known = || own.iter().copied().chain(["position"]).chain(words.iter().copied());
-                let (near, known) = (self.nearest(&name, known()), Known::of(known()));
+                let rate = || nearest(&name, ["rate"].into_iter()).map(|_| format!("rate({}.position)", self.names.frames[frame.0].name));
+                let (near, known) = (self.nearest(&name, known()).or_else(rate), Known::of(known()));
                 let owner = format!("`{}`", self.names.frames[frame.0].name);
                 self.refuse(field, NameFact::UnknownField { owner, name, near, known })
             }

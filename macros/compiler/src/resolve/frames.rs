@@ -144,7 +144,9 @@ impl Elaborator<'_> {
                 }
                 None => {
                     let near = nearest(&word, ambient.start_words());
-                    self.refuse(&start.what, NameFact::UnknownStart { name: word.clone(), near, in_space: ambient == Ambient::Space })
+                    let (name, value, body, in_space) =
+                        (word.clone(), start.value.to_string(), name.to_string(), ambient == Ambient::Space);
+                    self.refuse(&start.what, NameFact::UnknownStart { name, value, body, near, in_space })
                 }
             };
             for (which, expr) in found.unwrap_or_default() {
@@ -175,7 +177,8 @@ impl Elaborator<'_> {
         let (range, ambient) = (start.quantity.range, self.names.ambient);
         let written = start.quantity.to_string();
         let (owner, word) = written.rsplit_once('.').unwrap_or(("", &written));
-        let body = self.names.frames.iter().skip(1).find(|frame| frame.name == owner).map(|frame| frame.name.clone());
+        let body = self.names.frames.iter().skip(1).find(|frame| frame.name == owner).map(|frame| frame.name.as_str());
+        let body = body.or_else(|| self.names.moved_by(owner).filter(|_| ambient == Ambient::Plane)).map(str::to_owned);
         let is_owned = body.is_some() || (owner.is_empty() && word.len() > 1);
         let is_known = is_owned && (ambient.start_words().any(|known| known == word) || ["angle", "displacement"].contains(&&*written));
         let value = if ambient == Ambient::Plane || is_known { None } else { Some(self.value(&start.quantity, scope)?) };

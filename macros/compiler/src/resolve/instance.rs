@@ -5,7 +5,7 @@ use super::elaborate::Elaborator;
 use super::statement::ScalarEquation;
 use crate::diag::{ArityFact, ArrayFact, EquationFact, Fact, Kind, MeantFor, MotionFact, Note, Range, ValueFact};
 use crate::expr::Leaf;
-use crate::hints::{noted, without_time};
+use crate::hints::{noted, with_rate, without_time};
 use crate::library;
 use crate::names::{
     Context, EntityId, Fixed, FrameId, FunctionValue, Instance, Scalar, Scope, Timeless, Value, is_between, nearest_kind, places, too_few,
@@ -304,9 +304,10 @@ impl Elaborator<'_> {
                 found,
             };
             // `10rad_s2 * t` for a speed that grows.
-            if let Some(number) = without_time(argument).filter(|_| found.times(Dim::TIME) == wanted) {
-                let (written, fact) = (format!("0.5 * {number} * t^2"), Box::new(Fact::from(fact)));
-                return self.refuse(argument.range, Fact::Noted { fact, note: Note::Instead { written } });
+            let squared = without_time(argument).filter(|_| found.times(Dim::TIME) == wanted).map(|number| format!("0.5 * {number} * t^2"));
+            let turning = || with_rate(argument).filter(|_| (wanted, found) == (Dim::ANGLE, Dim::TIME));
+            if let Some(written) = squared.or_else(turning) {
+                return self.refuse(argument.range, Fact::Noted { fact: Box::new(fact.into()), note: Note::Instead { written } });
             }
             let fact = noted(&self.declared_unit, fact, argument.range, (found == Dim::NUMBER).then_some((argument, wanted)));
             return self.refuse(argument.range, fact);
@@ -357,7 +358,7 @@ impl Elaborator<'_> {
     ) -> Option<String> {
         match (wanted, found, &argument.kind) {
             (FormalKind::Point, Value::Body(frame), ast::ExpressionKind::Path(path)) => {
-                Some(format!("{}.{}", path.last, self.free_point_of(*frame)))
+                Some(format!("{}.{}", path.last, self.names.free_point_of(*frame)))
             }
             (FormalKind::Scalar(written), Value::Body(frame), _) if written.dim() == Some(Dim::ANGLE) => match self.names.ambient {
                 Ambient::Plane => Some(format!("{argument}.angle")),
@@ -372,18 +373,13 @@ impl Elaborator<'_> {
             (FormalKind::Body, Value::Scalar(_), ast::ExpressionKind::Field(body, _)) => {
                 self.body_of(body, scope).map(|frame| self.names.frames[frame.0].name.clone())
             }
-            (FormalKind::Body, Value::Joint { arguments, .. }, _) => {
-                let mut frames: Vec<FrameId> = arguments.iter().filter_map(|(_, value)| value.frame()).collect();
-                frames.retain(|frame| *frame != FrameId::GROUND);
-                frames.dedup();
-                match frames.as_slice() {
-                    [only] => Some(self.names.frames[only.0].name.clone()),
-                    [one, two] if definition.name == "drive_angle" => {
-                        let [one, two] = [one, two].map(|frame| &self.names.frames[frame.0].name);
-                        Some(format!("drive_relative_angle({one}, {two}, …)"))
-                    }
-                    _ => None,
-                }
+            (FormalKind::Body, Value::Joint { arguments, .. }, _) => match self.names.bodies_of(arguments).as_slice() {
+                [only] => Some((*only).to_owned()),
+                [one, two] if definition.name == "drive_angle" => Some(format!("drive_relative_angle({one}, {two}, …)")),
+                _ => None,
+            },
+            (FormalKind::Joint(wanted), Value::Body(frame), _) => {
+                self.names.joints_of(*frame).find(|(_, kind, _)| wanted == kind).map(|(name, ..)| name.to_owned())
             }
             (FormalKind::Axis, Value::Body(frame) | Value::Point(Fixed { frame, .. }), _) => {
                 let any = if self.names.ambient == Ambient::Space { "(1, 0, 0)" } else { "(1, 0)" };

@@ -7,7 +7,7 @@ use super::statement::ScalarEquation;
 use crate::diag::{EquationFact, JerkObstacle, JointValue, MotionFact, ValueFact, Word};
 use crate::hints::{by_time, cross_product, is_zero, unit_in_parts};
 use crate::library;
-use crate::names::{Declared, FrameId, Progress, Register, Scope, Sort, SpaceId, Value};
+use crate::names::{FrameId, Register, Scope, Sort, SpaceId, Value};
 use crate::quantity::{self, Ambient, Dim};
 use crate::syntax::ast::{self, Definition, ExpressionKind, Formal, FormalKind, JointItem, Statement, Task};
 use proc_macro2::Ident;
@@ -179,17 +179,8 @@ impl Elaborator<'_> {
 
     /// A joint of a body in space that has an angle.
     pub(super) fn hinge_of(&mut self, frame: FrameId) -> Option<String> {
-        let is_of = |value: &Value| match value {
-            Value::Point(fixed) | Value::Axis(fixed) => fixed.frame == frame,
-            _ => false,
-        };
-        let joint = |declared: &Declared| match &declared.progress {
-            Progress::Done(Value::Joint { kind, arguments }) if arguments.iter().any(|(_, value)| is_of(value)) => {
-                Some((declared.name.to_string(), kind.clone(), arguments.clone()))
-            }
-            _ => None,
-        };
-        let joints: Vec<_> = self.names.declared.iter().filter_map(joint).collect();
+        let joints = self.names.joints_of(frame).map(|(name, kind, arguments)| (name.to_owned(), kind.to_owned(), arguments.clone()));
+        let joints: Vec<_> = joints.collect();
         let hinge = joints.into_iter().find(|(_, kind, arguments)| self.quantity_of(kind, arguments, "angle").is_some());
         hinge.map(|(name, ..)| name)
     }

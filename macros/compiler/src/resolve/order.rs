@@ -1,13 +1,11 @@
-//! Arguments that are missing or in another order than the parameters, and points that no joint has yet.
+//! Arguments that are missing or in another order than the parameters.
 
 use super::elaborate::Elaborator;
 use crate::diag::{ArityFact, MeantFor};
-use crate::hints::point_of;
-use crate::names::{Entity, FrameId, Scope, Value, as_written, completed, fitted, reordered, signature, too_few};
+use crate::names::{Scope, Value, as_written, completed, fitted, reordered, signature, too_few};
 use crate::quantity::Ambient;
-use crate::syntax::ast::{Argument, Definition, Formal, FormalKind, JointBody};
+use crate::syntax::ast::{Argument, Definition, Formal, FormalKind};
 use proc_macro2::Ident;
-use std::collections::BTreeSet;
 
 impl Elaborator<'_> {
     /// If arguments were refused since there were `before` refusals, and all of them fit in another order, shows that order instead.
@@ -37,7 +35,11 @@ impl Elaborator<'_> {
         let before = self.diag.refusals().len();
         let values: Option<Vec<Value>> = given.iter().map(|argument| self.value(&argument.value, scope)).collect();
         self.diag.withdraw(before);
-        let values = values.filter(|values| !values.iter().any(|value| matches!(value, Value::Joint { .. }))).unwrap_or_default();
+        let values = values.unwrap_or_default();
+        if let Some(fact) = self.names.with_ends(definition, given, &values) {
+            return self.refuse(kind, fact);
+        }
+        let values = if values.iter().any(|value| matches!(value, Value::Joint { .. })) { Vec::new() } else { values };
         let Some(places) = fitted(&self.arena, definition, &values).filter(|places| !places.is_empty()) else { return Some(()) };
         let is_missing = |(index, formal): &(usize, &Formal)| formal.default.is_none() && !places.contains(index);
         let missing: Vec<&Formal> = definition.parameters.iter().enumerate().filter(is_missing).map(|(_, formal)| formal).collect();
@@ -57,19 +59,5 @@ impl Elaborator<'_> {
         let names = missing.iter().map(|formal| formal.name.to_string()).collect();
         let instead = completed(definition, &written, self.names.ambient).map_or(MeantFor::Nothing, MeantFor::Complete);
         self.refuse(kind, too_few(definition, given.len(), names, instead))
-    }
-
-    /// The first point of a body that no joint is written with; else its first point, or its origin.
-    pub(super) fn free_point_of(&self, frame: FrameId) -> String {
-        let body = &self.names.frames[frame.0].name;
-        let mut used = BTreeSet::new();
-        for declared in &self.names.declared {
-            let Entity::Joint(joint) = &declared.entity else { continue };
-            let JointBody::Of { arguments, .. } = &joint.body else { continue };
-            used.extend(arguments.iter().filter_map(|argument| point_of(&argument.value, body)));
-        }
-        let points: Vec<&str> = self.names.points_of(frame).collect();
-        let free = points.iter().find(|point| !used.contains(**point));
-        free.or(points.first()).map_or("position".to_owned(), |point| (*point).to_owned())
     }
 }

@@ -12,7 +12,7 @@ use crate::expr::{Expr, Frame, Leaf, Mark, Node, Triple, cross, dot};
 use crate::geometry::{
     Components, JointQuantity, Place, Relationship, Rotation, Triad, Turn, angle_near, difference, longest, natural, rotated, rotation,
 };
-use crate::hints::decimal_comma;
+use crate::hints::{by_turns, decimal_comma};
 use crate::model::{DECLARED, declared_angular};
 use crate::names::{Arguments, Fixed, FrameId, Scalar, Scope, Value, Vector};
 use crate::quantity::{Dim, InferredDim, Role};
@@ -280,7 +280,10 @@ impl Elaborator<'_> {
     pub(super) fn turns(&mut self, written: &ast::Expression, place: &'static str, scope: &Scope) -> Option<Vec<Turn>> {
         let rotations = match self.value(written, scope)? {
             Value::Orientation(rotations) => rotations,
-            other => return self.not_a(written.range, Wanted::Orientation, other.kind()),
+            other => match by_turns(written) {
+                Some(instead) => return self.refuse(written.range, ValueFact::AnglesForOrientation { instead }),
+                None => return self.not_a(written.range, Wanted::Orientation, other.kind()),
+            },
         };
         let turns: Option<Vec<Turn>> = rotations.iter().map(|rotation| rotation.turn()).collect();
         turns.or_else(|| self.refuse(written.range, ValueFact::NotFixed { place }))

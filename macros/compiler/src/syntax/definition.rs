@@ -2,7 +2,7 @@
 
 use super::ast::{Added, Applied, Condition, Definition, ExpressionKind, Formal, FormalKind, Let, MassItem, Statement};
 use super::dimension::{dimension, dimension_of_value, required_dimension};
-use super::expression::{declared, expression, relation, value};
+use super::expression::{declared, expression, in_brackets, relation, value};
 use super::tokens::{
     Parsed, block, comma, docs, equals, expected, keyword, name, parentheses, report, semicolon, statement_text, visibility, wrong,
 };
@@ -239,7 +239,7 @@ pub(super) fn binding(input: ParseStream) -> Parsed<Let> {
     input.parse::<Token![let]>()?;
     let (name, indices) = declared(input, "a name after `let`")?;
     let dimension = if input.peek(Token![:]) { Some(required_dimension(input)?) } else { None };
-    let value = value(input)?;
+    let value = value(input, format_args!("let {name}{}", in_brackets(&indices)))?;
     Ok(Let { name, indices, dimension, value })
 }
 

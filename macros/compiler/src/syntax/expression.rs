@@ -15,18 +15,41 @@ use super::slip::{
     closure, each_index_by_itself, no_brackets, no_choice_behind, no_common_unit, no_constant, no_parentheses, no_percentage, no_quotation,
     no_self, no_unit_raised, without_module,
 };
-use super::tokens::{Parsed, braces, brackets, equals, expected, is_path, keyword, literal, name, parentheses, path, semicolon, wrong};
+use super::tokens::{
+    Parsed, braces, brackets, equals, expected, is_path, keyword, literal, name, next, parentheses, path, semicolon, wrong,
+};
 use crate::diag::{GrammarFact, Range};
 use crate::quantity;
 use proc_macro2::{Delimiter, Span};
 use quote::ToTokens;
+use std::fmt::Display;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Ident, Lit, LitBool, Token, token};
 
-/// `= expression;`
-pub(super) fn value(input: ParseStream) -> Parsed<Expression> {
-    equals(input)?;
+/// `=` between a name and its value; `head` is what stands before it.
+pub(super) fn equals_behind(input: ParseStream, head: impl Display) -> Parsed<()> {
+    let ahead = input.fork();
+    if ahead.peek(Token![:]) {
+        ahead.parse::<Token![:]>()?;
+    }
+    match expression(&ahead) {
+        Ok(value) if ahead.peek(Token![;]) || ahead.peek(syn::Ident) => {
+            let rest = if ahead.peek(Token![;]) { "" } else { " …" };
+            wrong(input.span(), GrammarFact::WithoutEquals { found: next(input), instead: format!("{head} = {value}{rest};") })
+        }
+        _ => equals(input),
+    }
+}
+
+/// The indices behind a name, as they are written.
+pub(super) fn in_brackets(indices: &[Expression]) -> String {
+    indices.iter().map(|index| format!("[{index}]")).collect()
+}
+
+/// `= expression;` behind `head`
+pub(super) fn value(input: ParseStream, head: impl Display) -> Parsed<Expression> {
+    equals_behind(input, head)?;
     let value = expression(input)?;
     semicolon(input)?;
     Ok(value)

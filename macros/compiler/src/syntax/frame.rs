@@ -2,10 +2,10 @@
 
 use super::ast::{Docs, Expression, ExpressionKind, Feature, FrameItem, Marks, Shared, Start};
 use super::definition::mass;
-use super::expression::{declared, expression, value};
+use super::expression::{declared, equals_behind, expression, in_brackets, value};
 use super::item::{ItemContext, indexed};
 use super::repeated::repeated_marks;
-use super::tokens::{Parsed, block, docs, equals, expected, keyword, name, next, report, semicolon, skip_statement, statement_text, wrong};
+use super::tokens::{Parsed, block, docs, expected, keyword, name, next, report, semicolon, skip_statement, statement_text, wrong};
 use crate::diag::{Diag, GrammarFact};
 use crate::quantity::Ambient;
 use proc_macro2::Ident;
@@ -28,8 +28,10 @@ pub(super) fn body(input: ParseStream, docs: Docs, diag: &mut Diag) -> Parsed<Fr
     Ident::parse_any(input)?;
     let name = declared(input, "the name of the body")?;
     if !input.peek(token::Brace) {
-        let indices: String = name.1.iter().map(|index| format!("[{index}]")).collect();
-        return wrong(input.span(), GrammarFact::BodyWithoutBraces { name: format!("{}{indices}", name.0), found: next(input) });
+        return wrong(
+            input.span(),
+            GrammarFact::BodyWithoutBraces { name: format!("{}{}", name.0, in_brackets(&name.1)), found: next(input) },
+        );
     }
     frame(input, docs, name, "`{`", diag)
 }
@@ -59,7 +61,7 @@ fn frame_item(content: ParseStream, frame: &mut FrameItem) -> Parsed<()> {
         frame.starts.push(start(content)?);
     } else if let Some(what) = keyword(content).filter(|word| ["mass", "center", "inertia"].iter().any(|known| word == known)) {
         Ident::parse_any(content)?;
-        equals(content)?;
+        equals_behind(content, &what)?;
         frame.masses.push(mass(content, what)?);
     } else {
         marks(content, &mut frame.marks, ItemContext::top(Ambient::default()))?;
@@ -94,7 +96,7 @@ pub(super) fn marks(input: ParseStream, marks: &mut Marks, place: ItemContext) -
 fn mark(input: ParseStream) -> Parsed<Feature> {
     let is_axis = Ident::parse_any(input)? == "axis";
     let (name, indices) = declared(input, if is_axis { "the name of the axis" } else { "the name of the point" })?;
-    equals(input)?;
+    equals_behind(input, format_args!("{} {name}{}", if is_axis { "axis" } else { "point" }, in_brackets(&indices)))?;
     let before = input.fork();
     let value = expression(input)?;
     if input.peek(Token![,]) && !matches!(value.kind, ExpressionKind::Tuple(..)) {
@@ -118,6 +120,6 @@ fn start(input: ParseStream) -> Parsed<Start> {
     if input.peek(Token![.]) {
         return wrong(&what, GrammarFact::StartOfJoint);
     }
-    let value = value(input)?;
+    let value = value(input, format_args!("start {what}"))?;
     Ok(Start { what, value })
 }

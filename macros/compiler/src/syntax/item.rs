@@ -6,7 +6,7 @@ use super::ast::{
 };
 use super::definition::{ambient, binding};
 use super::dimension::{dimension, dimension_of_value, required_dimension};
-use super::expression::{declared, expression, value};
+use super::expression::{declared, expression, in_brackets, value};
 use super::frame::{body, ground};
 use super::joint::{energy, freedom, joint};
 use super::options::{Options, options, passing, velocity};
@@ -16,7 +16,7 @@ use super::salvage;
 use super::slip::constant_of_rust;
 use super::tokens::{
     Parsed, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, mentions_masses, name, name_before_block,
-    parentheses, path, report, semicolon, skip_item, skip_to_block, visibility, wrong,
+    parentheses, path, report, semicolon, skip_item, skip_to_block, statement_text, visibility, wrong,
 };
 use crate::diag::{ArrayFact, Diag, GrammarFact, Range, ValueFact, Word};
 use crate::quantity::{self, Ambient, Dim};
@@ -230,8 +230,20 @@ fn unknown_item<T>(input: ParseStream, keyword: &Ident, ambient: Ambient) -> Par
         Some(Home::Drive(call)) => is_own(call).then_some(Word::Drive),
         Some(Home::Force(call)) => is_own(call).then_some(Word::Force),
         Some(Home::Joint(calls)) => calls.iter().any(|call| is_own(call)).then_some(Word::Joint),
+        // A call has its kind behind `=`: without one it is a place.
+        None if name.is_some() => {
+            return match name {
+                Some(name) if is_call => wrong(keyword, GrammarFact::FeatureOutside { word: "point".to_owned(), name }),
+                name => wrong(keyword, GrammarFact::UnknownItem { word, name, home: None }),
+            };
+        }
         _ => Some(Word::Joint),
     };
+    if let (Some(kind), Some(name), true) = (kind, &name, is_call) {
+        rest.parse::<Token![=]>()?;
+        let instead = format!("{kind} {name} = {word}{};", statement_text(&rest)?);
+        return wrong(keyword, GrammarFact::Misspelt { flaw: "the name comes first, and the kind behind `=`", instead });
+    }
     if let Some(kind) = kind.filter(|_| is_call) {
         return wrong(keyword, GrammarFact::Unnamed { word: kind, kind: word });
     }
@@ -254,6 +266,7 @@ fn without_keyword(word: &str, name: Option<&str>, rest: ParseStream, ambient: A
         return Ok(TYPES.contains(&word).then(|| format!("let {name} = …;")));
     }
     rest.parse::<Token![=]>()?;
+    let value = expression(&rest.fork()).map_or("…".to_owned(), |value| value.to_string());
     let call = rest.parse::<Ident>().ok().filter(|_| rest.peek(token::Paren)).map(|call| call.to_string());
     Ok(Some(match call {
         Some(call) if call.starts_with("drive_") => format!("drive {word} = {call}(…);"),
@@ -262,9 +275,9 @@ fn without_keyword(word: &str, name: Option<&str>, rest: ParseStream, ambient: A
             Some(Home::Joint(_)) => format!("joint {word} = {call}(…);"),
             Some(Home::Drive(_)) => format!("drive {word} = {call}(…);"),
             Some(Home::Force(_)) => format!("force {word} = {call}(…);"),
-            _ => format!("let {word} = …;"),
+            _ => format!("let {word} = {value};"),
         },
-        None => format!("let {word} = …;"),
+        None => format!("let {word} = {value};"),
     }))
 }
 
@@ -366,7 +379,7 @@ fn without_dimension<T>(input: ParseStream, (name, indices): (&Ident, &[Expressi
     let dimension = Dim::names().find(|known| unit.is_some() && Dim::named(known) == unit);
     let bounds = if ahead.peek(Token![in]) { " in …" } else { "" };
     let default = dimension.map(|dimension| (dimension, format!("{default}{bounds}")));
-    let name = format!("{name}{}", indices.iter().map(|index| format!("[{index}]")).collect::<String>());
+    let name = format!("{name}{}", in_brackets(indices));
     wrong(range, GrammarFact::ParameterWithoutDimension { name, default })
 }
 
@@ -454,7 +467,7 @@ fn limits(input: ParseStream) -> Parsed<Limits> {
 /// `gravity = (x, y);`
 fn gravity(input: ParseStream) -> Parsed<Gravity> {
     let keyword = Ident::parse_any(input)?;
-    Ok(Gravity { keyword, value: value(input)? })
+    Ok(Gravity { keyword, value: value(input, "gravity")? })
 }
 
 /// `start joint.angle = value;`
@@ -463,12 +476,29 @@ fn joint_start(input: ParseStream) -> Parsed<StartItem> {
     if input.peek(token::Brace) {
         return expected(input, "a value of a joint, such as `hinge.angle`");
     }
-    Ok(StartItem { quantity: expression(input)?, value: value(input)? })
+    let quantity = expression(input)?;
+    let value = value(input, format_args!("start {quantity}"))?;
+    Ok(StartItem { quantity, value })
 }
 
 /// `range t in from..to;`
 fn times(input: ParseStream) -> Parsed<TimeRange> {
     let keyword = Ident::parse_any(input)?;
+    if let Some(bounded) = self::keyword(input).filter(|word| word != "t" && input.peek2(Token![in])) {
+        let ahead = input.fork();
+        Ident::parse_any(&ahead)?;
+        let limits = limits(&ahead)?;
+        let unit = limits.from.as_ref().and_then(|from| match &from.kind {
+            ExpressionKind::Number { unit, .. } => quantity::unit(unit),
+            _ => None,
+        });
+        if unit.is_none_or(|(_, dim)| dim == Dim::TIME) {
+            return expected(input, "`t in from..to`");
+        }
+        let [from, to] = [limits.from, limits.to].map(|end| end.map_or(String::new(), |end| end.to_string()));
+        let (flaw, instead) = ("a range is one of time; a parameter has bounds", format!("param {bounded}: … = … in {from}..={to};"));
+        return wrong(&bounded, GrammarFact::Misspelt { flaw, instead });
+    }
     if self::keyword(input).is_none_or(|word| word != "t") || !input.peek2(Token![in]) {
         return expected(input, "`t in from..to`");
     }
@@ -476,6 +506,10 @@ fn times(input: ParseStream) -> Parsed<TimeRange> {
     let limits = limits(input)?;
     if limits.from.is_none() || limits.to.is_none() {
         return wrong(limits.range, ValueFact::RangeWithoutEnd);
+    }
+    if let (Some(word), Some(from), Some(to)) = (self::keyword(input), &limits.from, &limits.to) {
+        let flaw = "a range has no steps: times between are those of a sweep, in Rust";
+        return wrong(&word, GrammarFact::Misspelt { flaw, instead: format!("range t in {from}..{to};") });
     }
     semicolon(input)?;
     Ok(TimeRange { keyword, limits })
@@ -494,13 +528,21 @@ fn function(input: ParseStream) -> Parsed<FunctionItem> {
         return expected(input, "`(argument: Dimension)`");
     }
     let (content, _) = parentheses(input)?;
+    let argument = content.cursor().token_stream().to_string().replace(" :", ":");
     let is_named = content.peek2(Token![:]) && !content.peek2(Token![::]);
-    let argument = if is_named { Some(self::name(&content, "the name of the argument")?) } else { None };
+    let own = if is_named { Some(self::name(&content, "the name of the argument")?) } else { None };
     let from = if is_named { required_dimension(&content)? } else { dimension(&content)? };
     if !content.is_empty() {
         return wrong(content.span(), GrammarFact::OneArgument);
     }
+    if input.peek(Token![=]) && !input.peek(Token![==]) {
+        let (range, value) = (input.span(), statement_text(input)?.replacen('=', "", 1));
+        let has_unit = value.as_bytes().windows(2).any(|pair| pair[0].is_ascii_digit() && pair[1].is_ascii_alphabetic());
+        let (from, to) = (if is_named { "" } else { ": Number" }, if has_unit { "…" } else { "Number" });
+        let instead = format!("function {name}({argument}{from}) -> {to} = {value};");
+        return wrong(range, GrammarFact::Misspelt { flaw: "a function has the dimensions of its argument and of its value", instead });
+    }
     let to = dimension_of_value(input)?;
-    let value = value(input)?;
-    Ok(FunctionItem { name, argument, from, to, value })
+    let value = value(input, format_args!("function {name}({argument}) -> …"))?;
+    Ok(FunctionItem { name, argument: own, from, to, value })
 }

@@ -3,9 +3,11 @@
 use super::arguments::arguments;
 use super::ast::{Docs, Expression, FreedomItem, JointBody, JointItem};
 use super::definition::statement;
-use super::expression::{declared, expression, value};
-use super::tokens::{Parsed, braces, equals, expected, keyword, name, path, semicolon, wrong};
+use super::expression::{declared, equals_behind, expression, in_brackets, value};
+use super::tokens::{Parsed, braces, equals, expected, keyword, name, next, path, semicolon, statement_text, wrong};
 use crate::diag::{GrammarFact, MotionFact, Word};
+use crate::quantity::Ambient;
+use crate::words::home;
 use proc_macro2::{Ident, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
@@ -38,7 +40,12 @@ pub(super) fn joint(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
         return wrong(&name, GrammarFact::Unnamed { word, kind: name.to_string() });
     }
     if input.peek(syn::Ident) && input.peek2(token::Paren) {
-        let second: Ident = input.parse()?;
+        let (found, second) = (next(input), input.parse::<Ident>()?);
+        let is_kind = |word: &Ident| word.to_string().starts_with("drive_") || home(&word.to_string(), Ambient::Plane).is_some();
+        if is_kind(&second) && !is_kind(&name) {
+            let instead = format!("{word} {name}{} = {second}{};", in_brackets(&indices), statement_text(input)?);
+            return wrong(&second, GrammarFact::WithoutEquals { found, instead });
+        }
         let instead = format!("{word} {second} = {name}(…);");
         return wrong(&name, GrammarFact::Misspelt { flaw: "the name comes first, and the kind behind `=`", instead });
     }
@@ -56,7 +63,7 @@ pub(super) fn joint(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
         let clause = format!("{place} {target}: {}", expression(input)?);
         return wrong(&place, GrammarFact::ForceBeforePlace { name: name.to_string(), clause });
     }
-    equals(input)?;
+    equals_behind(input, format_args!("{word} {name}{}", in_brackets(&indices)))?;
     let body = match () {
         () if input.peek(token::Brace) => equations(input)?,
         () if is_value(input, word) => bare(input, word, &name)?,
@@ -74,7 +81,7 @@ pub(super) fn freedom(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
         let value = expression(&before)?;
         return wrong(value.range, MotionFact::FreedomWithoutName { value: value.to_string() });
     }
-    equals(input)?;
+    equals_behind(input, format_args!("freedom {name}{}", in_brackets(&indices)))?;
     let value = expression(input)?;
     if input.peek(Token![=]) && !input.peek(Token![==]) {
         let sign = input.span();
@@ -122,7 +129,7 @@ pub(super) fn freedom(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
 pub(super) fn energy(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
     Ident::parse_any(input)?;
     let (name, indices) = declared(input, "the name of the energy")?;
-    let body = JointBody::Energy(Box::new(value(input)?));
+    let body = JointBody::Energy(Box::new(value(input, format_args!("energy {name}{}", in_brackets(&indices)))?));
     Ok(JointItem { docs, is_drive: true, is_redundant: false, is_slice: false, velocity: None, name, indices, body })
 }
 

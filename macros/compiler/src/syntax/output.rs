@@ -1,10 +1,10 @@
 //! Parses outputs.
 
 use super::ast::{Docs, OutputItem};
-use super::expression::{declared, expression};
+use super::expression::{declared, equals_behind, expression, in_brackets};
 
 use super::dimension::dimension;
-use super::tokens::{Parsed, equals, expected, keyword, semicolon, wrong};
+use super::tokens::{Parsed, expected, keyword, semicolon, wrong};
 use crate::diag::GrammarFact;
 use proc_macro2::Ident;
 use syn::Token;
@@ -38,7 +38,7 @@ pub(super) fn output(input: ParseStream, docs: Docs) -> Parsed<OutputItem> {
         let value = expression(&before)?;
         return wrong(value.range, GrammarFact::OutputWithoutName { value: value.to_string() });
     }
-    equals(input)?;
+    equals_behind(input, format_args!("output {name}{}", in_brackets(&indices)))?;
     let (value, jerk) = (expression(input)?, with_jerk(input)?);
     semicolon(input)?;
     Ok(OutputItem { docs, is_slice, name, indices, value, jerk })

@@ -3,7 +3,7 @@
 use super::arguments::arguments;
 use super::ast::{ComponentItem, Definition, Docs, For, IndexRange, Item, Marks, PartItem};
 use super::definition::{ambient, formals};
-use super::expression::{NESTING, declared, expression, list};
+use super::expression::{NESTING, declared, expression, in_brackets, list};
 use super::frame::marks;
 use super::item::{ItemContext, items};
 use super::tokens::{
@@ -48,13 +48,16 @@ pub(super) fn part(input: ParseStream, docs: Docs) -> Parsed<PartItem> {
         let instead = format!("part {own} = {name}{};", statement_text(input)?);
         return wrong(range, GrammarFact::Misspelt { flaw: "a part has its name first", instead });
     }
+    if input.peek(token::Brace) {
+        let instead = format!("body {name}{} {{ … }}", in_brackets(&indices));
+        return wrong(&name, GrammarFact::Misspelt { flaw: "a part is made of a component; with points of its own it is a body", instead });
+    }
     equals(input)?;
     let kind = self::name(input, "a component, as in `Leg(…)`")?;
     if !input.peek(token::Paren) {
         if kind == "new" && input.peek(syn::Ident) {
             let (made, instead) = (self::name(input, "a component")?, statement_text(input)?);
-            let written: String = indices.iter().map(|index| format!("[{index}]")).collect();
-            let instead = format!("part {name}{written} = {made}{instead};");
+            let instead = format!("part {name}{} = {made}{instead};", in_brackets(&indices));
             return wrong(kind.span(), GrammarFact::Misspelt { flaw: "a component is called without `new`", instead });
         }
         return expected(input, "`(` and the arguments of the component");

@@ -31,7 +31,7 @@ pub(super) fn apart(model: &Model, system: &System) -> Vec<Warning> {
     model.joints.iter().zip(&model.sketch.joints).filter_map(of_joint).collect()
 }
 
-/// Warnings about planetary trains whose ring gear is smaller than the sun gear inside it.
+/// Warnings about planetary trains whose ring gear is not larger than the sun gear inside it.
 pub(super) fn inside_out(model: &Model, system: &System) -> Vec<Warning> {
     let mut said = Said::default();
     let of_joint = |(joint, made): (&Joint, &Instantiation)| {
@@ -46,7 +46,7 @@ pub(super) fn inside_out(model: &Model, system: &System) -> Vec<Warning> {
         let values = at_defaults(model, system, |numeric| evaluate(&model.sketch.arena, &[*sun, *ring], &numeric.known));
         let &[sun, ring] = values.as_slice() else { return None };
         // With a negative one it is a train with two sun gears.
-        if !(ring > 0.0 && ring < sun && said.is_new(&joint.name)) {
+        if !(ring > 0.0 && ring <= sun && said.is_new(&joint.name)) {
             return None;
         }
         let doubt = Doubt::RingInsideSun { joint: joint.name.to_string(), ring: quantity(ring, *dim), sun: quantity(sun, *dim) };

@@ -1,7 +1,7 @@
 //! Functions of other languages, with their equivalents here.
 
 /// Names of functions, the reason why there is none of these names, if it is not obvious, and what to write.
-const FUNCTIONS: [(&[&str], &str, &str); 41] = [
+const FUNCTIONS: [(&[&str], &str, &str); 49] = [
     (&["pow", "powi", "powf", "power", "sqr", "square", "squared"], "", "a power is written `a^b`"),
     (&["cbrt"], "", "for x > 0 it is the power `x^(1/3)`"),
     (&["hypot"], "", "write `sqrt(a^2 + b^2)`"),
@@ -11,9 +11,20 @@ const FUNCTIONS: [(&[&str], &str, &str); 41] = [
     (
         &["angle"],
         "",
-        "the angle of a body in the plane is `body.angle`, that of a vector `direction(v)`; in space a hinge has one, `hinge.angle`",
+        "the angle of a body in the plane is `body.angle`, between two it is `b.angle - a.angle`, that of a vector `direction(v)`; in space a hinge has one, `hinge.angle`",
     ),
     (&["time", "now"], "", "the time is `t`"),
+    (&["akispl", "cubspl"], "", "write `spline(x, [(x0, y0), (x1, y1), (x2, y2)])`"),
+    (
+        &["impact", "bistop"],
+        ": a stop is a force between bodies",
+        "write `force name = stop_along(P, u, Q, limit, force, depth);`, with the least way of `Q` from `P` along `u`",
+    ),
+    (&["shf"], "", "write `a * sin(w * t + phase) + b`"),
+    (&["dm", "dx", "dy", "dz"], "", "the distance of two points is `norm(Q - P)`, a component of it `Q.x - P.x`"),
+    (&["ax", "ay", "az"], "", "the angle between two bodies is `b.angle - a.angle` in the plane, in space that of a hinge, `hinge.angle`"),
+    (&["wx", "wy", "wz", "wm"], "", "write `body.angular_velocity`, in space with a component, `body.angular_velocity.z`"),
+    (&["vm", "vr", "vx", "vy", "vz"], "", "the velocity of a point is `rate(P)`, that of a distance `rate(norm(Q - P))`"),
     (&["acceleration", "accel", "ddot"], "", "an output is given with its rate and its acceleration; equations and forces contain none"),
     (&["jerk"], "", "write `output name = … with jerk;` for the third derivative of an output"),
     (&["integral", "integrate"], "", "add up the values of an output over a sweep, in Rust"),
@@ -87,6 +98,7 @@ const FUNCTIONS: [(&[&str], &str, &str); 41] = [
     ),
     (&["dirac", "impulse"], ": no force is infinite", "let a freedom begin with a rate, as in `freedom q = arm.angle at 3rad_s;`"),
     (&["cot"], "", "write `1 / tan(x)`"),
+    (&["sindeg", "cosdeg", "tandeg", "sind", "cosd", "tand"], ": an angle has its unit", "write `sin(30deg)`"),
     (&["sec", "csc"], "", "write `1 / cos(x)` or `1 / sin(x)`"),
     (&["dist", "distance_between"], "", "the distance of two points is `norm(Q - P)`"),
     (
@@ -99,5 +111,6 @@ const FUNCTIONS: [(&[&str], &str, &str); 41] = [
 
 /// The reason and what to write instead of a function of another language; `None` for a name that is not in the table.
 pub(crate) fn foreign(name: &str) -> Option<(&'static str, &'static str)> {
-    FUNCTIONS.iter().find(|(names, ..)| names.contains(&name)).map(|(_, reason, instead)| (*reason, *instead))
+    let name = name.to_lowercase();
+    FUNCTIONS.iter().find(|(names, ..)| names.contains(&name.as_str())).map(|(_, reason, instead)| (*reason, *instead))
 }

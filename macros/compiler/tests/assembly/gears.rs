@@ -29,13 +29,22 @@ fn radii_that_do_not_fit_are_told() {
     };
     assert_eq!(told(100.0, "20mm, 40mm"), [words("100 mm", "add up to 60 mm")]);
     assert_eq!(told(50.0, "20mm, 40mm"), [words("50 mm", "add up to 60 mm")]);
+    assert_eq!(told(63.3, "20mm, 40mm"), [words("63.3 mm", "add up to 60 mm")]);
+    assert_eq!(told(56.9, "20mm, 40mm"), [words("56.9 mm", "add up to 60 mm")]);
     assert_eq!(told(60.0, "20mm, -40mm"), [words("60 mm", "differ by 20 mm")]);
 }
 
 #[test]
 fn radii_that_fit_are_not() {
-    for (distance, radii) in [(60.0, "20mm, 40mm"), (61.0, "20mm, 40mm"), (60.0, "-20mm, -40mm"), (20.0, "20mm, -40mm"), (100.0, "20, 40")]
-    {
+    for (distance, radii) in [
+        (60.0, "20mm, 40mm"),
+        (61.0, "20mm, 40mm"),
+        (63.1, "20mm, 40mm"),
+        (57.1, "20mm, 40mm"),
+        (60.0, "-20mm, -40mm"),
+        (20.0, "20mm, -40mm"),
+        (100.0, "20, 40"),
+    ] {
         assert!(told(distance, radii).is_empty(), "{distance} mm, {radii}");
     }
 }
@@ -61,9 +70,10 @@ fn a_ring_is_larger_than_its_sun() {
     assert_eq!(
         told("60, 20"),
         [
-            "the ring gear of `train` (20) is smaller than the sun gear inside it (60)\nhelp: the sun gear comes first, as in `z_sun: 20, z_ring: 60`"
+            "the ring gear of `train` (20) is not larger than the sun gear inside it (60)\nhelp: the sun gear comes first, as in `z_sun: 20, z_ring: 60`; the planets have no number"
         ]
     );
+    assert_eq!(told("24, 24, 72").len(), 1);
     for teeth in ["20, 60", "60, -20", "10mm, 30mm"] {
         assert!(told(teeth).is_empty(), "{teeth}");
     }

@@ -1,6 +1,10 @@
 //! Quantities that do not fit their place.
 
 crate::refusals! {
+    item turns_by_the_time: "drive b = drive_angle(crank, «2 * pi * t»);" => "`C` of `drive_angle` is an angle (rad), found a time (s)\nhelp: write `2 * pi * 1rad_s * t`";
+    item sine_of_turns_by_the_time: "output b = sin(«2 * pi * 1.5 * t»);" => "expected an angle (rad), found a time (s)\nhelp: write `2 * pi * 1.5 * 1rad_s * t`";
+    mechanism speed_for_a_torque: "mechanism M { body arm { mass = 1kg; inertia = 1kgm2; } joint o = revolute(ground.position, arm.position); freedom f = arm.angle; force m = motor(ground, arm, «60rpm»); }" => "`torque` of `motor` is a torque (N m), found an angular velocity (rad/s)\nhelp: a speed is driven by its integral: write `drive name = drive_angle(body, 60rpm * t);`, in space `drive_rotation(joint, 60rpm * t)`";
+    mechanism speed_for_a_force: "mechanism M { body arm { mass = 1kg; inertia = 1kgm2; point A = (1m, 0m); } joint o = revolute(ground.position, arm.position); freedom f = arm.angle; force m = actuator((2m, 0m), arm.A, «10mm_s»); }" => "`F` of `actuator` is a force (N), found a velocity (m/s)\nhelp: a speed is driven by its integral: write `drive name = drive_distance(P, Q, 100mm + 10mm_s * t);`";
     item an_acceleration_by_the_time: "drive a = drive_angle(ram, «10rad_s2 * t»);" => "`C` of `drive_angle` is an angle (rad), found an angular velocity (rad/s)\nhelp: write `0.5 * 10rad_s2 * t^2`";
     item a_rate_equated_with_an_angle: "drive a = { «rate(ram.angle) == 60rpm * t»; }" => "cannot equate an angular velocity (rad/s) with an angle (rad)\nhelp: take the factor `t` away: `60rpm`";
     item a_force_for_a_length: "param r: Length = «300N»;" => "expected a length (m), found a force (N)";

@@ -6,7 +6,7 @@ crate::refusals! {
     item pi_of_c: "let a = 2 * «M_PI»;" => "nothing is called `M_PI` here\nhelp: write `pi`";
     item a_module_of_python: "let a = «math».pi;" => "nothing is called `math` here\nhelp: functions and `pi` stand by themselves, as in `sin(pi * t / 1s)`";
     item a_power_of_e: "let a = «e»^2;" => "nothing is called `e` here\nhelp: write `exp(x)` for a power of e";
-    item a_velocity_by_a_letter: "output b = crank.«vx»;" => "`crank` has no `vx`\nhelp: write `rate(…)` of a point or of a number, as in `rate(body.position)`";
+    item a_velocity_by_a_letter: "output b = crank.«vx»;" => "`crank` has no `vx`\nhelp: write `rate(crank.position)`: points and numbers have rates";
     item a_jacobian: "output b = «jacobian»(crank.A);" => "no function is called `jacobian`: derivatives are computed for a state, in Rust\nhelp: write `mechanism.derivatives(&state)` there";
     item the_least_of_three: "let a = «min»(1, 2, 3);" => "`min` takes 2 arguments, found 3\nhelp: write `min(min(a, b), c)`";
     item the_center_of_a_body: "output b = crank.«center»;" => "`crank` has no `center` that expressions can read\nhelp: declare a point at the centre of mass; weight acts by `gravity = …;`";
@@ -16,7 +16,7 @@ crate::refusals! {
     item an_angle_in_greek: "let a = sin(«θ»);" => "nothing is called `θ` here\nhelp: declare it, such as `param θ: Angle = …;`, or `input θ: Angle;` if it is given at each step; the angle of a body is `body.angle`";
     item an_angular_velocity_in_greek: "let a = 2s * «ω»;" => "nothing is called `ω` here\nhelp: declare it, such as `param ω: AngularVelocity = …;`";
     item an_energy_as_an_output: "output e = «energy»;" => "nothing is called `energy` here\nnote: energies are computed for a state, in Rust\nhelp: write `mechanism.energy(&state)` there";
-    item an_angular_velocity_at_the_start: "body b { start «angular_velocity» = 3rad_s; }" => "a body does not start with `angular_velocity`: a velocity at the start is that of a freedom\nhelp: write `freedom name = body.angle from 0deg at 5rad_s;`";
+    item an_angular_velocity_at_the_start: "body b { start «angular_velocity» = 3rad_s; }" => "a body does not start with `angular_velocity`: a velocity at the start is that of a freedom\nhelp: write `freedom name = b.angle from 0deg at 3rad_s;` with the angle at the start";
     item a_place_of_a_body: "body b { «position» = (1m, 0m); }" => "`position` is no item of a body\nhelp: write `start position = …;` for about where the body is at t = 0";
     item gravity_in_a_body: "body b { «gravity» = (0, -9.81m_s2); }" => "`gravity` is no item of a body\nhelp: it stands in the mechanism: move it out of the body";
     item density_of_a_body: "body b { «density» = 7800; }" => "`density` is no item of a body\nhelp: write the mass, a density times a volume, as in `mass = 2kg;`\nnote: a body has `point`, `axis`, `start`, `mass`, `center` and `inertia`";
@@ -58,7 +58,7 @@ crate::refusals! {
     item unit_with_its_power_apart: "body b { inertia = «3kgm^2»; }" => "a unit is one word\nhelp: write `3kgm2`";
     item length_of_a_vector_by_another_word: "output far = «magnitude»(crank.A - ground.position);" => "no function is called `magnitude`\nhelp: the length of a vector is `norm(v)`";
     item distance_as_a_function: "output far = «distance»(crank.A, ground.position);" => "`distance` is a constraint, not a function\nhelp: the distance of two points is `norm(Q - P)`";
-    item angle_as_a_function: "output turned = «angle»(crank);" => "no function is called `angle`\nhelp: the angle of a body in the plane is `body.angle`, that of a vector `direction(v)`; in space a hinge has one, `hinge.angle`";
+    item angle_as_a_function: "output turned = «angle»(crank);" => "no function is called `angle`\nhelp: the angle of a body in the plane is `body.angle`, between two it is `b.angle - a.angle`, that of a vector `direction(v)`; in space a hinge has one, `hinge.angle`";
     item output_that_would_hide_derivatives: "output «derivatives» = crank.x;" => "an output cannot be called `derivatives`: a generated function has that name\nhelp: choose another name, such as `derivatives_value`";
     item direction_of_angles_of_a_vector: "let way = (0, 1) «from» (1, 0);" => "expected `;`, found `from`\nhelp: `from` belongs to an `axis` of a body or of ground, or to a `freedom`";
     item unit_of_elsewhere: "body b { inertia = «3000gmm2»; }" => "no unit is called `gmm2`\nhelp: `1gmm2` is `0.000000001kgm2`";
@@ -66,7 +66,13 @@ crate::refusals! {
     item unit_of_volume: "param a: Length = «5mm3» / 1mm2;" => "no unit is called `mm3`\nhelp: `1mm3` is `1mm2 * 1mm`";
     item gravity_by_its_letter: "gravity = (0, -«g»);" => "nothing is called `g` here\nhelp: write the acceleration of gravity as `9.81m_s2`, or declare `param g: Acceleration = 9.81m_s2;`";
     item spring_by_its_kind: "force s = «compression_spring»(ground.O, crank.A, 1N_mm, 10mm);" => "no force is called `compression_spring`\nhelp: did you mean `spring`?\nnote: there are `spring`, `damper`, `spring_damper`, `nonlinear_spring`, `actuator`, `constant_force`, `gas_spring`, `stop`, `stop_along`, `friction`, `drag`, `motor`, `torsion_spring`, `torsion_damper`, `torsion_spring_damper`, `nonlinear_torsion_spring`, `torsion_stop`, `torsion_friction` and `bushing`";
-    item drive_by_a_velocity: "drive b = «drive_velocity»(crank, speed);" => "no constraint is called `drive_velocity`\nhelp: did you mean `drive_angle`?";
+    item step_of_another_program: "drive b = drive_angle(crank, «STEP»(t, 0, 0, 1, 50deg));" => "no function is called `STEP`\nhelp: did you mean `50deg * smooth_step(t / 1s)`?";
+    item step_between_other_values: "drive b = drive_angle(crank, «HAVSIN»(t, 1, 10deg, 2s, 50deg));" => "no function is called `HAVSIN`\nhelp: did you mean `10deg + (50deg - 10deg) * harmonic((t - 1s) / (2s - 1s))`?";
+    item ramp_of_another_program: "drive b = drive_angle(crank, «ramp»(t, 60rpm));" => "no function is called `ramp`\nhelp: did you mean `60rpm * t`?";
+    item spline_of_another_program: "drive b = drive_angle(crank, «AKISPL»(t, 0, 1, 0));" => "no function is called `AKISPL`\nhelp: write `spline(x, [(x0, y0), (x1, y1), (x2, y2)])`";
+    item sine_of_degrees: "output b = «sindeg»(30);" => "no function is called `sindeg`: an angle has its unit\nhelp: write `sin(30deg)`";
+    item velocity_of_a_point: "output b = crank.A.«velocity»;" => "a point has no `velocity`\nhelp: write `rate(crank.A)`: points and numbers have rates";
+    item drive_by_a_velocity: "drive b = «drive_velocity»(crank, speed);" => "no constraint is called `drive_velocity`\nhelp: a speed is driven by its integral: write `drive_angle(…, 60rpm * t)`";
     item unit_is_near: "param a: Length = «100mn»;" => "no unit is called `mn`\nhelp: did you mean `100mm`?";
     item unit_is_written_out: "param a: Length = «100milimeter»;" => "no unit is called `milimeter`\nhelp: did you mean `100mm`?";
     item unit_is_in_the_plural: "param a: Angle = «5degrees»;" => "no unit is called `degrees`\nhelp: did you mean `5deg`?";
@@ -86,7 +92,7 @@ crate::refusals! {
     item hertz_is_ambiguous: "param a: AngularVelocity = «2Hz»;" => "no unit is called `Hz`\nhelp: a speed of rotation is in `rpm` or `rad_s`, 1 turn a second is `60rpm`; a frequency is a number by a time, `2 / 1s`";
     item dimension_is_mistyped: "param a: «Lenght» = 100mm;" => "no dimension is called `Lenght`\nhelp: did you mean `Length`?";
     item dimension_is_unknown: "param a: «Voltage» = 100;" => "no dimension is called `Voltage`\nnote: there are `Number`, `Length`, `Angle`, `Time`, `Mass`, `Area`, `Velocity`, `Acceleration`, `AngularVelocity`, `AngularAcceleration`, `Frequency`, `Force`, `Torque`, `Inertia`, `Stiffness`, `Damping`, `Pressure` and `Power`";
-    item start_is_unknown: "body b { start «speed» = 1; }" => "a body does not start with `speed`: a velocity at the start is that of a freedom\nhelp: write `freedom name = body.angle from 0deg at 5rad_s;`";
+    item start_is_unknown: "body b { start «speed» = 1; }" => "a body does not start with `speed`: a velocity at the start is that of a freedom\nhelp: write `freedom name = b.angle from 0deg at 5rad_s;` with the angle at the start";
     item start_is_mistyped: "body b { start «angel» = 1; }" => "a body does not start with `angel`\nhelp: did you mean `angle`?\nnote: it starts with `x`, `y`, `position` or `angle`";
     item named_argument_is_mistyped: "joint a = gear_pair(crank, ram, 1, 2, «carier»: ground);" => "`gear_pair` has no parameter `carier`\nhelp: did you mean `carrier`?\nnote: `gear_pair(i: Body, j: Body, a: Quantity, b: Quantity, c: Quantity = …, carrier: Body = …)`";
     item let_depends_on_itself: "let a = 1 + b; let b = 2 * «a»;" => "`a` depends on itself, by way of `b`";
@@ -103,8 +109,8 @@ crate::refusals! {
     item axis_called_like_a_coordinate: "body b { axis «x» = (1, 0); } joint j = translational(b.x, b.position, crank.A);" => "`x` has a meaning of its own in expressions\nhelp: choose another name, such as `u`";
     item velocity_as_a_function: "output b = «velocity»(crank.A);" => "no function is called `velocity`\nhelp: did you mean `rate`?";
     item acceleration_as_a_function: "output b = «acceleration»(crank.A);" => "no function is called `acceleration`\nhelp: an output is given with its rate and its acceleration; equations and forces contain none";
-    item rate_of_a_point: "output b = crank.A.«rate»;" => "a point has no `rate`\nhelp: write `rate(…)` of a point or of a number, as in `rate(body.position)`";
-    item velocity_of_a_body: "output b = crank.«velocity»;" => "`crank` has no `velocity`\nhelp: write `rate(…)` of a point or of a number, as in `rate(body.position)`";
+    item rate_of_a_point: "output b = crank.A.«rate»;" => "a point has no `rate`\nhelp: write `rate(crank.A)`: points and numbers have rates";
+    item velocity_of_a_body: "output b = crank.«velocity»;" => "`crank` has no `velocity`\nhelp: write `rate(crank.position)`: points and numbers have rates";
     item omega_of_a_body: "output b = crank.«omega»;" => "`crank` has no `omega`\nhelp: did you mean `angular_velocity`?";
     item point_called_angle: "body b { point «angle» = (0mm, 0mm); }" => "`angle` has a meaning of its own in expressions\nhelp: choose another name";
     item uses_of_a_name_with_a_meaning_are_not_refused_as_well: "body «table» { point P = (0mm, 0mm); } joint a = revolute(table.P, crank.A); output b = table(crank.angle, [(0deg, 1mm), (90deg, 2mm)]);" => "`table` has a meaning of its own in expressions\nhelp: choose another name";

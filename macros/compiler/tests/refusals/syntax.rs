@@ -5,7 +5,7 @@ crate::refusals! {
     item values_with_names: "let a = norm((«x»: 1m, y: 2m));" => "values in parentheses have no names here\nhelp: write `(1m, 2m)`";
     item a_force_without_its_word: "«pull» = spring(ground.C, ram.B, 5N_m);" => "an item begins with its kind, and has a name\nhelp: write `force pull = spring(…);`";
     item a_part_without_its_word: "«leg» = Leg(ground.C);" => "an item begins with its kind, and has a name\nhelp: write `part leg = Leg(…);`";
-    item a_function_without_its_word: "«turned» = atan2(1, 2);" => "an item begins with its kind, and has a name\nhelp: write `let turned = …;`";
+    item a_function_without_its_word: "«turned» = atan2(1, 2);" => "an item begins with its kind, and has a name\nhelp: write `let turned = atan2(1, 2);`";
     item a_mass_without_a_body: "«mass» = 2kg;" => "`mass` belongs in a body\nhelp: write it there, as in `body b { mass = …; }`";
     item a_comma_behind_a_freedom: "freedom swing = ram.angle«,» freedom push = ram.x;" => "expected `;`, found `,`\nhelp: `;` ends each item, `,` stands between arguments";
     item an_output_in_miles: "output v = ram.x «in» mph;" => "expected `;`, found `in`\nhelp: end what stands before it with `;`";
@@ -14,7 +14,7 @@ crate::refusals! {
     item a_unit_in_brackets: "let a = «100»[mm];" => "a unit stands right behind its number, without brackets\nhelp: write `100mm`";
     item a_joint_without_its_word: "«pin» = revolute(ground.C, ram.B);" => "an item begins with its kind, and has a name\nhelp: write `joint pin = revolute(…);`";
     item a_drive_without_its_word: "«turn» = drive_angle(ram, 60rpm * t);" => "an item begins with its kind, and has a name\nhelp: write `drive turn = drive_angle(…);`";
-    item a_value_without_its_word: "«radius» = 100mm;" => "an item begins with its kind, and has a name\nhelp: write `let radius = …;`";
+    item a_value_without_its_word: "«radius» = 100mm;" => "an item begins with its kind, and has a name\nhelp: write `let radius = 100mm;`";
     item a_value_with_a_type: "«double» radius = 100mm;" => "an item begins with its kind, and has a name\nhelp: write `let radius = …;`";
     item a_comment_of_matlab: "«%» a comment" => "expected an item: `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `start`, `output`, `range`, `part`, `for`, `component`, `function` or `use`, found `%`\nhelp: a comment begins with `//`";
     item a_body_from_a_component: "body leg «=» Leg(1m);" => "expected `{` and the points of the body, found `=`\nhelp: write `body leg { … }`; a part that is made of a component is `part leg = Component(…);`";
@@ -60,7 +60,7 @@ crate::refusals! {
     item item_is_no_word: "«5» a: Length = 10mm;" => "expected an item: `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `start`, `output`, `range`, `part`, `for`, `component`, `function` or `use`, found `5`";
     item item_of_a_body_is_unknown: "body b { «pointt» P = (0mm, 0mm); }" => "`pointt` is no item of a body\nhelp: did you mean `point`?\nnote: a body has `point`, `axis`, `start`, `mass`, `center` and `inertia`";
     item body_without_braces: "body b«;»" => "expected `{` and the points of the body, found `;`\nhelp: a body without points is `body b {}`";
-    item sections_of_a_body_with_colons: "body b { point B = (1m, 0m); mass«:» 2kg; }" => "expected `=`, found `:`\nhelp: a value stands behind `=`; only parameters and inputs have `:` and a dimension before it";
+    item sections_of_a_body_with_colons: "body b { point B = (1m, 0m); mass«:» 2kg; }" => "expected `=`, found `:`\nhelp: write `mass = 2kg;`";
     item start_of_no_coordinate: "body b { point B = (1m, 0m); start «=» 200mm; }" => "expected `x`, `y`, `angle` or `position`, found `=`\nhelp: say of which coordinate, as in `start x = 200mm;` or `start position = (200mm, 0mm);`";
     item point_outside_a_body: "«point» Z = (0mm, 0mm);" => "`point` belongs in ground or in a body\nhelp: write it there, as in `ground { point Z = …; }`";
     item axis_outside_a_body: "«axis» u = (1, 0);" => "`axis` belongs in ground or in a body\nhelp: write it there, as in `ground { axis u = …; }`";
@@ -69,9 +69,21 @@ crate::refusals! {
     item mass_twice: "body b { point B = (1m, 0m); mass = 1kg; «mass» = 2kg; inertia = rod(1m); }" => "`b` gives `mass` twice\nhelp: take one away";
     item sum_of_terms: "output b = «sum»(crank.x, crank.y);" => "no function is called `sum`\nhelp: write `a + b`; a sum over an array is `let s[0] = x[0]; for i in 1..n { let s[i] = s[i - 1] + x[i]; }`";
     item degrees_of_an_output: "output b = «deg»(crank.angle);" => "no function is called `deg`: angles have no unit inside a mechanism\nhelp: an angle in degrees is written `60deg`; outputs are in rad, and `.to_degrees()` is written in Rust";
-    item angle_of_a_hinge_in_the_plane: "joint j = revolute(ground.O, crank.O); output b = j.«angle»;" => "a `revolute` joint has no `angle` in the plane\nhelp: bodies have one: write a difference, such as `rod.angle - crank.angle`";
+    item displacement_of_a_guide_in_the_plane: "joint j = translational((1, 0), ground.O, ram.B); output b = j.«displacement»;" => "a `translational` joint has no `displacement` in the plane\nhelp: bodies have a place: write `dot(j.Q - j.P, j.u)`";
+    item a_body_driven_along_its_guide: "drive d = drive_along(«ram», 10mm_s * t);" => "`slide` of `drive_along` takes a `translational` joint, found a body\nhelp: write `slide`";
+    item angle_of_a_hinge_in_the_plane: "joint j = revolute(ground.O, crank.O); output b = j.«angle»;" => "a `revolute` joint has no `angle` in the plane\nhelp: bodies have one: write `crank.angle`";
     item component_of_a_point_by_index: "output b = crank.O[«0»];" => "a point has no index\nhelp: its components are `.x` and `.y`, in space `.z` too";
-    item equal_sign_is_missing: "output b «crank»;" => "expected `=`, found `crank`";
+    item equal_sign_is_missing: "output b «crank»;" => "expected `=`, found `crank`\nhelp: write `output b = crank;`";
+    item a_part_with_points: "part «arm» { point A = (1m, 0m); }" => "a part is made of a component; with points of its own it is a body\nhelp: write `body arm { … }`";
+    item a_range_of_a_parameter: "range «r» in 50mm..100mm;" => "a range is one of time; a parameter has bounds\nhelp: write `param r: … = … in 50mm..=100mm;`";
+    item a_range_with_steps: "range t in 0s..1s «step» 10ms;" => "a range has no steps: times between are those of a sweep, in Rust\nhelp: write `range t in 0s..1s;`";
+    item a_rotation_in_a_body: "body b { «rotation» = (0, 0, 90deg); }" => "`rotation` is no item of a body\nhelp: write `start orientation = turn((0, 0, 1), 90deg);` for about how the body is turned at t = 0, in the plane `start angle = 90deg;`";
+    item an_orientation_in_a_body: "body b { «orientation» = 70deg; }" => "`orientation` is no item of a body\nhelp: write `start angle = …;` for about how the body is turned at t = 0, in space `start orientation = turn((0, 0, 1), 90deg);`";
+    item equal_sign_of_a_joint_is_missing: "joint b «revolute»(ground.O, ram.B);" => "expected `=`, found `revolute`\nhelp: write `joint b = revolute(ground.O, ram.B);`";
+    item equal_sign_of_gravity_is_missing: "gravity «(»0, -9.81m_s2);" => "expected `=`, found `(`\nhelp: write `gravity = (0, -9.81m_s2);`";
+    item equal_sign_of_a_mass_is_missing: "body b { mass «2kg»; }" => "expected `=`, found `2kg`\nhelp: write `mass = 2kg;`";
+    item equal_sign_of_a_start_is_missing: "body b { start angle «30deg»; }" => "expected `=`, found `30deg`\nhelp: write `start angle = 30deg;`";
+    item equal_sign_of_a_freedom_is_missing: "freedom f «crank».angle from 30deg;" => "expected `=`, found `crank`\nhelp: write `freedom f = crank.angle …;`";
     item operand_is_missing: "output b = 2 * «;»" => "expected an expression, found `;`";
     item plus_before_a_number: "output b = «+»5;" => "expected an expression, found `+`";
     item operator_is_unknown: "output b = 5 «&» 2;" => "expected an operator or `;`, found `&`";
@@ -92,7 +104,8 @@ crate::refusals! {
     item empty_parentheses: "output b = «()»;" => "expected an expression, found `()`";
     item field_is_no_number: "output b = crank.«5»;" => "expected a name after `.`, found `5`";
     item function_of_two: "function f(a: Angle«,» b: Angle) -> Length = 1mm;" => "a function here has one argument\nhelp: what else it depends on is a `param` or a `let`, which it sees";
-    item function_without_result: "function f(a: Angle) «=» 1mm;" => "expected `->` and the dimension of the value, found `=`";
+    item function_without_result: "function f(a: Angle) «=» 1mm;" => "a function has the dimensions of its argument and of its value\nhelp: write `function f(a: Angle) -> … = 1mm;`";
+    item function_of_a_number_without_dimensions: "function f(x) «=» x * x;" => "a function has the dimensions of its argument and of its value\nhelp: write `function f(x: Number) -> Number = x*x;`";
     item exponent_of_a_dimension: "param a: Length^«99» = 1;" => "the exponent of a dimension is at most 6";
     item attribute_is_unknown: "#[«inline»] output b = crank.x;" => "`#[inline]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`, `#[velocity]` before `joint` and `drive`";
     item attribute_removes_a_field: "#[«cfg»(all())] param a: Length = 3mm;" => "`#[cfg]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`, `#[velocity]` before `joint` and `drive`";
@@ -131,7 +144,7 @@ crate::refusals! {
     item semicolon_after_a_body: "body b { }«;»" => "this `;` ends nothing\nhelp: take it away";
     item drive_without_its_keyword: "«drive_angle»(crank, speed * t);" => "a drive has a name of its own\nhelp: write `drive name = drive_angle(…);`";
     item joint_without_its_keyword: "«revolute»(crank.A, ram.B);" => "a joint has a name of its own\nhelp: write `joint name = revolute(…);`";
-    item force_without_its_keyword: "«spring» tie = (crank.A, ram.B);" => "a force has a name of its own\nhelp: write `force name = spring(…);`";
+    item force_without_its_keyword: "«spring» tie = (crank.A, ram.B);" => "the name comes first, and the kind behind `=`\nhelp: write `force tie = spring(crank.A, ram.B);`";
     item point_without_its_keyword: "body b { «B» = (1mm, 2mm); }" => "`B` is no item of a body\nhelp: write `point B = (…);` for a point";
     item point_like_a_field: "body b { «B»: (1mm, 2mm); }" => "`B` is no item of a body\nhelp: write `point B = (…);` for a point";
     item force_without_parentheses: "force f = { at crank.A: «-100N», 0N; }" => "the coordinates of a force stand in parentheses\nhelp: write `(-100N, 0N)`";
@@ -142,7 +155,7 @@ crate::refusals! {
     item unit_apart_after_an_exponent: "param width: Length = «1e-3 m»;" => "a unit stands right behind its number\nhelp: write `1e-3m`";
     item unit_apart: "param stiffness: Torque = «5N m»;" => "a unit stands right behind its number\nhelp: write `5Nm`";
     item starts_in_a_block: "start «{» crank.angle = 30deg; }" => "expected a value of a joint, such as `hinge.angle`, found `{`\nhelp: write `start angle = …;` in the body, or `start hinge.angle = …;` for a joint in space";
-    item point_as_a_call: "body b { point P«(»1m, 0m); }" => "expected `=`, found `(`\nhelp: write `point P = (…);` for a point, `function f(x: Angle) -> Length = …;` for a function";
+    item point_as_a_call: "body b { point P«(»1m, 0m); }" => "expected `=`, found `(`\nhelp: write `point P = (1m, 0m);`";
     item braces_without_equal_sign: "joint a «{» crank.x == 0; }" => "expected `=` before the braces, found `{`";
     item arguments_in_braces: "joint a = revolute «{» ground.O, crank.O };" => "expected `(` and the arguments, found `{`\nhelp: arguments stand in parentheses";
     item drive_of_an_angle: "drive «crank.angle» = 1rad_s * t;" => "a drive has a name of its own\nhelp: write `drive name = { crank.angle == …; }`";

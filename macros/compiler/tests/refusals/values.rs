@@ -317,6 +317,12 @@ fn expressions_that_are_often_meant_otherwise_are_doubted() {
     for sure in ["1turn * t / T", "360deg * t / T", "2 * pi * t / T", "3rad * t / T"] {
         assert_eq!(plane(&format!("param T: Time = 1s; drive d = drive_angle(b, {sure});")), Vec::<String>::new(), "{sure}");
     }
+    let degrees = "`b.angle * 180 / pi` is an angle, and outputs of angles are in rad: it is 57 times too large\nhelp: write `b.angle / 1deg` for \
+                   the number of degrees, or `.to_degrees()` in Rust";
+    assert_eq!(plane("output a = b.angle * 180 / pi;"), [degrees]);
+    for sure in ["output a = b.angle;", "output a = 180 / pi;", "output a = b.angle * 90 / pi;"] {
+        assert_eq!(plane(sure), Vec::<String>::new(), "{sure}");
+    }
     let spring = |force: &str| plane(&format!("body c {{ point P = (1m, 0m); mass = 1kg; }} force k = {force};"));
     let meant = "help: take the minus away, or name the number with `let` if it is meant";
     let pushes = format!("`-200N_m` pushes away from rest\n{meant}");

@@ -23,11 +23,10 @@ impl Display for ArityFact {
                     (MeantFor::Hinge, Some(turning), _) => write!(f, "\nhelp: `{turning}` acts about a hinge")?,
                     (MeantFor::Hinge | MeantFor::Joint, _, Some(kind)) if missing.len() == 1 => {
                         let ends = ["axes", "bodies", "points"][usize::from(kind != "Axis") + usize::from(kind == "Point")];
-                        if signature.contains(": Axis") && signature.contains(": Body") {
-                            write!(f, "\nhelp: for a joint, write an axis of one body and the other body instead of its name")?;
-                        } else {
-                            write!(f, "\nhelp: for a joint, write its two {ends} instead of its name")?;
-                        }
+                        write!(f, "\nhelp: for a joint, write its two {ends} instead of its name")?;
+                    }
+                    _ if definition == "gear_pair" && *found == 3 && missing == &["b"] => {
+                        write!(f, "\nhelp: write two numbers of teeth, or two radii, in the place of their ratio")?;
                     }
                     _ => {}
                 }
@@ -90,6 +89,9 @@ impl Display for ArityFact {
                 write!(f, "\nhelp: a law leads from 0 to 1 as its argument does: write `height * {name}(x / duration)`")
             }
             ArityFact::FunctionOrder { name, call } => write!(f, "`{name}` takes its axis first\nhelp: write `{call}`"),
+            ArityFact::JointForEnds { definition, signature, ends, instead } => {
+                write!(f, "`{definition}` takes {ends} in the place of a joint\nhelp: write `{instead}`\nnote: `{signature}`")
+            }
             ArityFact::OtherOrder { name, instead, signature } => {
                 write!(f, "`{name}` takes these arguments in another order\nhelp: write `{instead}`\nnote: `{signature}`")
             }

@@ -128,6 +128,9 @@ impl Display for GrammarFact {
                     _ => Ok(()),
                 }
             }
+            GrammarFact::WithoutEquals { found, instead } => {
+                write!(f, "expected `=`, found {}\nhelp: write `{}`", shortened(found), shortened(instead))
+            }
             GrammarFact::BodyWithoutBraces { name, found } => {
                 write!(f, "expected `{{` and the points of the body, found {}\nhelp: ", shortened(found))?;
                 match found.as_str() {
@@ -304,7 +307,19 @@ impl Display for GrammarFact {
             GrammarFact::UnknownBodyItem { word, .. } if ["fixed", "grounded", "static", "is_fixed", "frozen"].contains(&word.as_str()) => {
                 write!(f, "`{word}` is no item of a body\nhelp: what stands still is `ground`: write its points there, `ground {{ … }}`")
             }
-            GrammarFact::UnknownBodyItem { word, is_point: true } if ["position", "orientation"].contains(&word.as_str()) => {
+            GrammarFact::UnknownBodyItem { word, is_point: true }
+                if ["orientation", "rotation", "euler", "rpy"].contains(&word.as_str()) =>
+            {
+                write!(f, "`{word}` is no item of a body\nhelp: write `start orientation = turn((0, 0, 1), 90deg);` ")?;
+                write!(f, "for about how the body is turned at t = 0, in the plane `start angle = 90deg;`")
+            }
+            GrammarFact::UnknownBodyItem { word, is_point: false }
+                if ["orientation", "rotation", "theta", "phi"].contains(&word.as_str()) =>
+            {
+                write!(f, "`{word}` is no item of a body\nhelp: write `start angle = …;` for about how the body is turned at t = 0, ")?;
+                write!(f, "in space `start orientation = turn((0, 0, 1), 90deg);`")
+            }
+            GrammarFact::UnknownBodyItem { word, is_point: true } if word == "position" => {
                 write!(f, "`{word}` is no item of a body\nhelp: write `start {word} = …;` for about where the body is at t = 0")
             }
             GrammarFact::UnknownBodyItem { word, is_point: true } if ITEMS.contains(&word.as_str()) => {
@@ -325,7 +340,7 @@ impl Display for GrammarFact {
             }
             GrammarFact::UnknownBodyItem { word, .. } => {
                 write!(f, "`{word}` is no item of a body")?;
-                if ["x", "y", "z", "angle", "position", "orientation"].contains(&word.as_str()) {
+                if ["x", "y", "z", "angle", "position"].contains(&word.as_str()) {
                     return write!(f, "\nhelp: write `start {word} = …;` for about where the body is at t = 0");
                 }
                 if ITEMS.contains(&word.as_str()) {

@@ -86,8 +86,9 @@ impl Display for NameFact {
                     None => write!(f, "`body.angular_velocity`, or `rate(body.position)` of the body that it moves"),
                 }
             }
-            NameFact::UnknownField { owner, name, .. } if is_rate(name) => {
-                write!(f, "{owner} has no `{name}`\nhelp: write `rate(…)` of a point or of a number, as in `rate(body.position)`")
+            NameFact::UnknownField { owner, name, near, .. } if is_rate(name) => {
+                let rate = near.as_deref().filter(|near| near.starts_with("rate(")).unwrap_or("rate(body.position)");
+                write!(f, "{owner} has no `{name}`\nhelp: write `{rate}`: points and numbers have rates")
             }
             NameFact::UnknownField { owner, name, near: None, .. } if is_acceleration(name) => {
                 write!(
@@ -109,17 +110,11 @@ impl Display for NameFact {
                 write!(f, "\nhelp: `mechanism.loads(&state)` has a method for each joint, with `force` and `torque`, ")?;
                 write!(f, "and for each drive, with `effort` and `power`")
             }
-            NameFact::UnknownField { owner, name, .. } if name == "angle" && owner == "a `revolute` joint" => {
-                write!(
-                    f,
-                    "{owner} has no `angle` in the plane\nhelp: bodies have one: write a difference, such as `rod.angle - crank.angle`"
-                )
+            NameFact::UnknownField { owner, name, near: Some(near), .. } if name == "angle" && near.ends_with(".angle") => {
+                write!(f, "{owner} has no `angle` in the plane\nhelp: bodies have one: write `{near}`")
             }
-            NameFact::UnknownField { owner, name, .. } if name == "displacement" && owner == "a `translational` joint" => {
-                write!(
-                    f,
-                    "{owner} has no `displacement` in the plane\nhelp: bodies have a place: write `slider.x`, or `dot(guide.u, guide.Q - guide.P)`"
-                )
+            NameFact::UnknownField { owner, name, near: Some(near), .. } if name == "displacement" && near.starts_with("dot(") => {
+                write!(f, "{owner} has no `displacement` in the plane\nhelp: bodies have a place: write `{near}`")
             }
             NameFact::UnknownField { owner, name, near, known } => {
                 write!(f, "{owner} has no `{name}`{}", did_you_mean(near))?;
@@ -172,6 +167,12 @@ impl Display for NameFact {
             }
             NameFact::UnknownConstraint { name, near: Some(near), is_force: true, .. } => {
                 write!(f, "no constraint is called `{name}`\nhelp: did you mean the force `{near}`? write `force name = {near}(…);`")
+            }
+            NameFact::UnknownConstraint { name, near: Some(near), .. }
+                if ["drive_angle", "drive_rotation"].contains(&near.as_str())
+                    && ["velocity", "speed", "rpm", "omega"].iter().any(|word| name.contains(word)) =>
+            {
+                write!(f, "no constraint is called `{name}`\nhelp: a speed is driven by its integral: write `{near}(…, 60rpm * t)`")
             }
             NameFact::UnknownConstraint { name, near, home, known, .. } => {
                 write!(f, "no constraint is called `{name}`{}", did_you_mean(near))?;
@@ -239,12 +240,13 @@ impl Display for NameFact {
                 }
                 Ok(())
             }
-            NameFact::UnknownStart { name, in_space, .. } if is_velocity(name) => {
-                let owner = if *in_space { "hinge" } else { "body" };
+            NameFact::UnknownStart { name, value, body, in_space, .. } if is_velocity(name) => {
+                let owner = if *in_space { "hinge" } else { body };
+                let speed = if value.contains("_s") || value.contains("rpm") { value } else { "5rad_s" };
                 write!(f, "a body does not start with `{name}`: a velocity at the start is that of a freedom")?;
-                write!(f, "\nhelp: write `freedom name = {owner}.angle from 0deg at 5rad_s;`")
+                write!(f, "\nhelp: write `freedom name = {owner}.angle from 0deg at {speed};` with the angle at the start")
             }
-            NameFact::UnknownStart { name, near, in_space } => {
+            NameFact::UnknownStart { name, near, in_space, .. } => {
                 let words = if *in_space { "`x`, `y`, `z`, `position` or `orientation`" } else { "`x`, `y`, `position` or `angle`" };
                 write!(f, "a body {}does not start with `{name}`{}", if *in_space { "in space " } else { "" }, did_you_mean(near))?;
                 write!(f, "\nnote: it starts with {words}")?;

@@ -212,7 +212,15 @@ impl Display for SystemFact {
                 }
                 match declared_free.len() == drives.len() {
                     true => write!(f, "\nhelp: take one of them away")?,
-                    false => write!(f, "\nhelp: nothing else may determine a freedom: take {} away", list(declared_free))?,
+                    false => {
+                        let laws: Vec<String> = drives.iter().filter(|drive| !declared_free.contains(drive)).cloned().collect();
+                        write!(
+                            f,
+                            "\nhelp: nothing else may determine a freedom: take {} away, for a motion by a law",
+                            list(declared_free)
+                        )?;
+                        write!(f, ", or {}, for one that follows from forces", list(&laws))?;
+                    }
                 }
                 if free.is_empty() { Ok(()) } else { write!(f, ", or declare {}", list(free)) }
             }

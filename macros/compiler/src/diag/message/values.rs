@@ -335,6 +335,10 @@ impl Display for ValueFact {
                 }
                 write!(f, "what moves along a body is a body of its own")
             }
+            ValueFact::AnglesForOrientation { instead } => {
+                write!(f, "an orientation is a product of turns, found three numbers\nhelp: write `{instead}`")?;
+                write!(f, ", where each turn is about an axis that the turns before it have turned")
+            }
             ValueFact::NotAStart { written, body, ambient } => not_a_start(f, written, body.as_deref(), *ambient),
             ValueFact::FunctionNeedsArgument => {
                 write!(
@@ -413,7 +417,7 @@ fn mistyped(f: &mut Formatter, typed: Option<&Typed>) -> Result {
 fn not_a_start(f: &mut Formatter, written: &str, body: Option<&str>, ambient: Ambient) -> Result {
     if written.rsplit('.').next().is_some_and(is_velocity) {
         write!(f, "a velocity at the start is that of a freedom")?;
-        let owner = if ambient == Ambient::Space { "hinge" } else { "body" };
+        let owner = if ambient == Ambient::Space { "hinge" } else { body.unwrap_or("body") };
         return write!(f, "\nhelp: write `freedom name = {owner}.angle from 0deg at 5rad_s;`");
     }
     let what = written.rsplit('.').next().filter(|word| ambient.start_words().any(|known| known == *word));
