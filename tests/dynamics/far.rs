@@ -128,3 +128,56 @@ fn the_failure_says_where_the_assembly_of_the_start_ends() {
         other => panic!("{other:?}"),
     }
 }
+
+mechanism! {
+    /// A nut on a screw whose lead may have the other sign.
+    mechanism Screwed in space {
+        param lead: Length = 20mm;
+        ground { axis z = (0, 0, 1) from (1, 0, 0); }
+        body nut { axis z = (0, 0, 1) from (1, 0, 0); mass = 3kg; inertia = (0.01kgm2, 0.01kgm2, 0.002kgm2); }
+        joint s = screw(ground.position, ground.z, nut.position, nut.z, lead);
+        freedom q = s.angle from 0.5rad at 2rad_s;
+    }
+}
+
+mechanism! {
+    /// A released rack whose pinion is the crank of a four-bar.
+    mechanism Racked {
+        param radius: Length = 30mm;
+        ground { point C = (400mm, 0mm); }
+        body rack { mass = 1kg; }
+        body pinion { point A = (100mm, 0mm); mass = 1kg; inertia = 0.01kgm2; }
+        body coupler { point B = (350mm, 0mm); }
+        body rocker { point B = (300mm, 0mm); start angle = 70deg; }
+        joint o = revolute(ground.position, pinion.position);
+        joint guide = translational((1, 0), (0mm, 0mm), rack.position);
+        joint mesh = rack_pinion(pinion, rack.position, (1, 0), (0mm, 0mm), radius);
+        joint a = revolute(pinion.A, coupler.position);
+        joint b = revolute(coupler.B, rocker.B);
+        joint c = revolute(rocker.position, ground.C);
+        freedom way = rack.x from 10mm at 1m_s;
+    }
+}
+
+#[test]
+fn leads_and_radii_may_have_either_sign() {
+    for lead in [0.02_f64, -1e-9, -0.02, -0.5] {
+        let state = Screwed { lead }.initial_state().unwrap_or_else(|stopped| panic!("{lead} m: {stopped}"));
+        let by_angle = lead / std::f64::consts::TAU;
+        let found = [state.nut().position.z, state.nut().velocity.z, state.nut().angular_velocity.z];
+        for (found, right) in found.into_iter().zip([0.5 * by_angle, 2.0 * by_angle, 2.0]) {
+            assert!((found - right).abs() <= 1e-14 * right.abs(), "{lead} m: {found}, not {right}");
+        }
+    }
+    let mirrored = |radius: f64| Racked { radius }.initial_state().unwrap_or_else(|stopped| panic!("{radius} m: {stopped}"));
+    let declared = mirrored(0.03);
+    for radius in [-0.03, -0.01, -3.0] {
+        let state = mirrored(radius);
+        let right = [-0.01 / radius, -1.0 / radius];
+        assert!((state.pinion().angle - right[0]).abs() <= 1e-13 * right[0].abs(), "{radius} m: {}", state.pinion().angle);
+        assert!((state.pinion().angular_velocity - right[1]).abs() <= 1e-12 * right[1].abs(), "{radius} m");
+        // The loop is assembled on the same side.
+        let side = |state: &RackedState<f64>| (state.rocker().angle - state.coupler().angle).sin();
+        assert!(side(&state) * side(&declared) > 0.0, "{radius} m");
+    }
+}

@@ -159,3 +159,36 @@ fn inputs_jump_beside_laws_of_time_far_from_the_origin() {
         }
     }
 }
+
+mechanism! {
+    /// A slide whose place is commanded, and the crank that it turns.
+    mechanism Pushed {
+        input x: Length = 120mm;
+        body crank { point A = (50mm, 0mm); }
+        body rod   { point B = (100mm, 0mm);  start angle = -20deg; }
+        body slide { }
+        joint o = revolute(ground.position, crank.position);
+        joint a = revolute(crank.A, rod.position);
+        joint b = revolute(rod.B, slide.position);
+        joint guide = translational((1, 0), ground.position, slide.position);
+        drive push = drive_x(slide.position, x);
+    }
+}
+
+/// The rates at both ends of a long pause do not last for all of it.
+#[test]
+fn rates_at_the_ends_of_a_long_pause_lead_nowhere_else() {
+    let mechanism = Pushed::default();
+    let to = |x: f64, rate: f64| PushedInputs { x: Motion::moving(x, rate) };
+    let right = |x: f64| ((x * x + 0.05 * 0.05 - 0.1 * 0.1) / (2.0 * 0.05 * x)).acos();
+    for (t, rate) in [(0.0, 0.05), (10.0, 0.05), (1e4, 0.05), (-3.0, 1.0), (100.0, -50.0)] {
+        let state = mechanism.solve(t, to(0.13, rate)).unwrap_or_else(|failure| panic!("{t} s, {rate} m/s: {failure}"));
+        assert!((state.crank().angle - right(0.13)).abs() < 1e-14, "{t} s, {rate} m/s: {}", state.crank().angle);
+        assert!((state.slide().velocity.x - rate).abs() <= 1e-14 * rate.abs(), "{t} s, {rate} m/s");
+    }
+    let mut state = mechanism.solve(1.0, to(0.13, 0.1)).unwrap();
+    for (t, x, rate) in [(2.0, 0.12, -0.1), (5.0, 0.11, 0.3), (105.0, 0.14, 0.1)] {
+        mechanism.advance(&mut state, t, to(x, rate)).unwrap_or_else(|failure| panic!("{t} s: {failure}"));
+        assert!((state.crank().angle - right(x)).abs() < 1e-14 && (state.slide().velocity.x - rate).abs() < 1e-15, "{t} s");
+    }
+}

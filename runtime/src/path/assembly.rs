@@ -69,31 +69,54 @@ pub(crate) fn assemble<T: Float, E: Stages<T, N>, const N: usize>(equations: &E)
     // The defaults may be placeholders that do not close; then the start is only a guess.
     let origin = equations.interpolated(zero).and_then(|defaults| assemble_near(&defaults, zero, &defaults.start()).ok());
     let Some(origin) = origin.filter(|_| equations.validate().is_ok()) else { return near(&start).map_err(alone) };
-    // Where a block with one solution changes its sign it has none, so that the straight way does not lead there.
     if !E::UNIQUE.is_empty()
-        && let Ok(state) = near(&start)
-        && state.branch != origin.branch
-        && has_same_signs(E::UNIQUE, &state, &origin)
+        && let Some(state) = beyond_zero(equations, &origin)
     {
-        return Ok(around(equations, &origin).unwrap_or(state));
+        return Ok(state);
     }
-    let (lambda, here) = match follow(equations, &origin, |way| way) {
-        Ok((state, None)) => return Ok(state),
-        Ok((_, Some(cause))) => return Err(alone(cause)),
-        Err(Unfinished::BranchEnds(lambda, here)) => (lambda, here),
-        Err(Unfinished::TooFar) if E::ITERATED.is_empty() => return near(&start).map_err(alone),
+    match follow(equations, &origin, |way| way) {
+        Ok((state, None)) => Ok(state),
+        Ok((_, Some(cause))) => Err(alone(cause)),
+        Err(unfinished) => elsewhere(equations, &origin, unfinished),
+    }
+}
+
+/// The state at the parameters if a block with one solution has another sign there, and only such blocks: where the determinant vanishes it has no
+/// solution, so that the straight way does not lead there.
+#[cold]
+#[inline(never)]
+fn beyond_zero<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, origin: &State<T, N>) -> Option<State<T, N>> {
+    let state = assemble_near(equations, T::of(0.0), &equations.start()).ok()?;
+    let is_beyond = state.branch != origin.branch && has_same_signs(E::UNIQUE, &state, origin);
+    if is_beyond { Some(around(equations, origin).unwrap_or(state)) } else { None }
+}
+
+/// The state at the parameters where the straight way does not lead there.
+#[cold]
+#[inline(never)]
+fn elsewhere<T: Float, E: Stages<T, N>, const N: usize>(
+    equations: &E,
+    origin: &State<T, N>,
+    unfinished: Unfinished<T, N>,
+) -> Result<State<T, N>, Unassembled<T, N>> {
+    let start = equations.start();
+    let near = |guess: &SVector<T, N>| assemble_near(equations, T::of(0.0), guess);
+    let alone = |cause| Unassembled { cause, end: None, last: None };
+    let (lambda, here) = match unfinished {
+        Unfinished::BranchEnds(lambda, here) => (lambda, here),
+        Unfinished::TooFar if E::ITERATED.is_empty() => return near(&start).map_err(alone),
         // An assembly near the last state may have turned less often than its drive.
-        Err(Unfinished::TooFar) => {
+        Unfinished::TooFar => {
             let steps = const { most_steps(N) };
-            return around(equations, &origin).ok_or_else(|| alone(Cause::TooManySteps { steps }));
+            return around(equations, origin).ok_or_else(|| alone(Cause::TooManySteps { steps }));
         }
     };
     let first = match near(&here.q) {
-        Ok(state) if has_same_signs(E::UNIQUE, &state, &origin) => return Ok(state),
+        Ok(state) if has_same_signs(E::UNIQUE, &state, origin) => return Ok(state),
         other => other,
     };
     let second = match near(&start) {
-        Ok(state) if has_same_signs(E::UNIQUE, &state, &origin) => return Ok(state),
+        Ok(state) if has_same_signs(E::UNIQUE, &state, origin) => return Ok(state),
         other => other,
     };
     let cause = why_not(&Followed::new(&equations), &here, [first, second]);
@@ -152,6 +175,7 @@ enum Unfinished<T, const N: usize> {
 /// The state at the parameters on a way on which those that change their sign become infinite instead of zero: a transmission ratio with zero between
 /// turns what it drives without end on the straight way, and does not move it far on this one.
 #[cold]
+#[inline(never)]
 fn around<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, origin: &State<T, N>) -> Option<State<T, N>> {
     follow(equations, origin, |way: T| -way).ok().and_then(|(state, misfit)| if misfit.is_none() { Some(state) } else { None })
 }

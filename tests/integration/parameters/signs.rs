@@ -35,6 +35,26 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// A double crank behind gears: what follows it has as many turns as it.
+    mechanism Dragged {
+        param teeth: Number = 20;
+        param wheel: Number = 40;
+        ground { point D = (50mm, 0mm); }
+        body pinion   { }
+        body crank    { point A = (150mm, 0mm); }
+        body coupler  { point B = (180mm, 0mm); }
+        body follower { point B = (160mm, 0mm);  start angle = 60deg; }
+        joint p = revolute((-60mm, 0mm), pinion.position);
+        joint o = revolute(ground.position, crank.position);
+        joint mesh = gear_pair(pinion, crank, teeth, wheel);
+        joint a = revolute(crank.A, coupler.position);
+        joint b = revolute(coupler.B, follower.B);
+        joint c = revolute(follower.position, ground.D);
+        drive d = drive_angle(pinion, 0.3rad + 1rad_s * t);
+    }
+}
+
 #[test]
 fn gears_turn_either_way() {
     for ratio in [2.0_f64, 0.1, -0.1, -2.0, -7.5] {
@@ -63,4 +83,22 @@ fn a_factor_changes_its_sign_beside_a_loop() {
             assert!(levered.toggle(&state).value.sin() > 0.1, "{factor}, {t} s");
         }
     }
+}
+
+/// The crank is led to the same angle by other teeth, and by time at the declared ones.
+#[test]
+fn what_gears_turn_keeps_its_assembly_and_its_turns() {
+    let declared = Dragged::default();
+    for wheel in [-40.0, -20.0, -1.0, -0.2, 0.2, 1.0, 400.0] {
+        let ratio = -20.0 / wheel;
+        let led = Dragged { wheel, ..declared.clone() }.solve(0.1).unwrap_or_else(|failure| panic!("{wheel}: {failure}"));
+        let crank = ratio * 0.4;
+        assert!((led.crank().angle - crank).abs() <= 4.0 * f64::EPSILON * crank.abs(), "{wheel}: {}", led.crank().angle);
+        let waited = declared.solve(crank / -0.5 - 0.3).unwrap_or_else(|failure| panic!("{wheel}: {failure}"));
+        let off = [led.follower().angle - waited.follower().angle, led.coupler().angle - waited.coupler().angle];
+        assert!(off.iter().all(|off| off.abs() <= 1e-13 * crank.abs().max(1.0)), "{wheel}: {off:?}");
+    }
+    let teeth = Dragged { teeth: -20.0, ..declared.clone() }.solve(0.1).unwrap();
+    let wheel = Dragged { wheel: -40.0, ..declared }.solve(0.1).unwrap();
+    assert!((teeth.follower().angle - wheel.follower().angle).abs() <= 1e-14);
 }
