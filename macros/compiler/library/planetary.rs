@@ -16,7 +16,7 @@
 /// an internal ring; with a negative one it is a train with two sun gears. This is Willis' equation: seen
 /// from the carrier, sun and ring turn against each other by −z_r/z_s. A planet's own angle follows
 /// from `gear_pair(sun, planet, z_sun, z_planet, carrier: arm)`. Any of the three may be ground.
-/// A ring that is smaller than its sun is a warning. Degenerate case: no teeth are refused.
+/// A ring that is not larger than its sun is a warning. Degenerate case: no teeth are refused.
 ///
 /// Reference: Willis, Principles of Mechanism; Müller, Epicyclic Drive Trains.
 constraint planetary(sun: Body, ring: Body, carrier: Body, z_sun: Quantity, z_ring: Quantity, c: Quantity = 0) {

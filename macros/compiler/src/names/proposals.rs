@@ -87,12 +87,23 @@ impl Names {
     }
 
     /// Another point or axis in the place of `given`, if its body must, or must not, be `other`.
-    pub(crate) fn mark_instead(&self, given: &Value, relation: Relation, other: FrameId) -> Option<String> {
+    ///
+    /// * `bound`: given, all arguments.
+    pub(crate) fn mark_instead(&self, given: &Value, relation: Relation, other: FrameId, bound: &[(String, Value)]) -> Option<String> {
         let body = &self.frames[other.0].name;
+        let is_beside = |frame: FrameId, is_point: bool| {
+            let of_kind =
+                bound.iter().filter(|(_, value)| if is_point { matches!(value, Value::Point(_)) } else { matches!(value, Value::Axis(_)) });
+            of_kind.filter(|(_, value)| value.frame() == Some(frame)).count() > usize::from(!is_point)
+        };
         match (given, relation) {
             (Value::Point(_), Relation::Different) => Some("take a point of another body".to_owned()),
             (Value::Point(at), Relation::Equal) if other != FrameId::GROUND => {
                 Some(format!("take a point of `{body}`, or an axis of `{}`", self.frames[at.frame.0].name))
+            }
+            // Another axis of its body would be the one of its point.
+            (Value::Axis(axis), Relation::Equal) if is_beside(axis.frame, true) && !is_beside(axis.frame, false) => {
+                Some(format!("exchange the points: the axis belongs to `{}`", self.frames[axis.frame.0].name))
             }
             (Value::Axis(_), Relation::Equal) => Some(match self.an_axis_of(other) {
                 Some(axis) => format!("take an axis of `{body}`, such as `{body}.{axis}`"),

@@ -481,7 +481,7 @@ impl Elaborator<'_> {
                 let words: Vec<&str> = words.chain(["angular_velocity"]).collect();
                 let known = || own.iter().copied().chain(["position"]).chain(words.iter().copied());
                 let rate = || nearest(&name, ["rate"].into_iter()).map(|_| format!("rate({}.position)", self.names.frames[frame.0].name));
-                let (near, known) = (self.nearest(&name, known()).or_else(rate), Known::of(known()));
+                let (near, known) = (rate().or_else(|| self.nearest(&name, known())), Known::of(known()));
                 let owner = format!("`{}`", self.names.frames[frame.0].name);
                 self.refuse(field, NameFact::UnknownField { owner, name, near, known })
             }

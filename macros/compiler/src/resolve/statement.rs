@@ -117,7 +117,7 @@ impl Elaborator<'_> {
             return Some(());
         }
         let mut blamed = sides.into_iter().filter_map(|(side, other)| {
-            let instead = |given| self.names.mark_instead(scope.value_of(given)?, *relation, other);
+            let instead = |given| self.names.mark_instead(scope.value_of(given)?, *relation, other, &scope.bound);
             Some((place_of_argument(side, places)?, argument_of(side).and_then(instead)))
         });
         let first = blamed.next();
