@@ -187,8 +187,25 @@ fn rates_at_the_ends_of_a_long_pause_lead_nowhere_else() {
         assert!((state.slide().velocity.x - rate).abs() <= 1e-14 * rate.abs(), "{t} s, {rate} m/s");
     }
     let mut state = mechanism.solve(1.0, to(0.13, 0.1)).unwrap();
-    for (t, x, rate) in [(2.0, 0.12, -0.1), (5.0, 0.11, 0.3), (105.0, 0.14, 0.1)] {
+    for (t, x, rate) in [(2.0, 0.12, -0.1), (5.0, 0.11, 0.3), (105.0, 0.14, 0.1), (5.0, 0.13, 0.3), (4.9, 0.12, -0.1), (-300.0, 0.13, 2.0)]
+    {
         mechanism.advance(&mut state, t, to(x, rate)).unwrap_or_else(|failure| panic!("{t} s: {failure}"));
         assert!((state.crank().angle - right(x)).abs() < 1e-14 && (state.slide().velocity.x - rate).abs() < 1e-15, "{t} s");
+    }
+}
+
+/// Inputs are led backwards in time as forwards: across the place where the parallelogram's bars are in line.
+#[test]
+fn inputs_are_led_backwards() {
+    let mechanism = Parallelogram::default();
+    let theta = |t: f64| ParallelogramInputs { theta: Motion::moving(1.0 + 3.0 * t, 3.0) };
+    for step in [2.5, 1.5, 0.5] {
+        let mut state = mechanism.solve(0.0, theta(0.0)).unwrap();
+        let mut t = 0.0;
+        while t > -5.0 {
+            t -= step;
+            mechanism.advance(&mut state, t, theta(t)).unwrap_or_else(|failure| panic!("{t} s: {failure}"));
+            assert!(state.coupler().angle.abs() < 1e-7 && (state.rocker().angle - (1.0 + 3.0 * t)).abs() < 1e-7, "{t}");
+        }
     }
 }

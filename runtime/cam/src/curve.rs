@@ -7,10 +7,6 @@ use reuleaux::{Motion, PlanarBody};
 
 use crate::CamError;
 
-/// A follower beside the cam's centre runs round the centre faster than the cam turns where the path is steep, but not by more than this factor: a
-/// point that does is carried around the cam.
-const FASTEST: f64 = 2.0;
-
 /// A point of a curve on the cam, in the cam's coordinates, with the normal and the curvature there.
 ///
 /// Displayed, it is a line of a CSV file with the columns [`CurvePoint::COLUMNS`].
@@ -105,16 +101,14 @@ impl CurvePoint {
 
     /// The curve that a moving point draws on the cam: for a roller its centre, which draws the pitch curve, for a knife its edge.
     ///
-    /// The curve goes round the cam against the sense in which the cam turns, also where it is so steep that the point runs ahead of the cam for a
-    /// while, at up to twice the cam's speed. A point that is faster is carried around the cam, and draws the curve in its own sense.
+    /// The curve is taken to go round the cam as it does here. A follower beside the cam's centre whose path is so steep that offset × slope exceeds
+    /// the square of the distance from the centre runs back for a while: there the normal is directed inwards, and the curvature has the other sign.
+    /// [`Translating`](crate::follower::Translating) and [`Swinging`](crate::follower::Swinging), whose cam turns under them, know the sense.
     ///
     /// # Errors
     /// [`CamError::NoNormal`] if the point rests on the cam, as when the cam does not turn.
     pub fn relative(cam: &PlanarBody<f64>, point: &Motion<Vector2<f64>>) -> Result<CurvePoint, CamError> {
-        let (from, motion) = (point.value - cam.position, point.rate - cam.velocity);
-        let (turns, runs) = (cam.angular_velocity, cross(from, motion) / from.dot(&from));
-        let sense = if runs.abs() <= FASTEST * turns.abs() { -turns } else { runs - turns };
-        CurvePoint::going_round(cam.angle, &in_frame_of(cam, point), sense)
+        CurvePoint::new(cam.angle, &in_frame_of(cam, point))
     }
 
     /// The curve that a straight line touches as it moves: n(ψ) is its normal, away from the cam, and h its distance from the origin, both

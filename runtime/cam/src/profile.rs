@@ -63,7 +63,7 @@ impl<'a> Profile<'a> {
         let begin = if before == 0 { 0.0 } else { angle_to(before) };
         let width = self.sense * step(from, to);
         let [from, to] = [from, to].map(|point| self.in_sense(point.polar_radius().unwrap_or(Motion::at(f64::NAN))));
-        self.in_sense(Motion::between(&from, &to, width, (wanted - begin) / width))
+        self.in_sense(Motion::between(&from, &to, [width; 2], (wanted - begin) / width))
     }
 
     /// The derivatives by an angle that grows from point to point, and back.

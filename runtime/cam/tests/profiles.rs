@@ -244,46 +244,21 @@ fn a_point_is_a_line_of_a_file() {
     assert_eq!(CurvePoint::COLUMNS.split(',').count(), circle.to_string().split(',').count());
 }
 
-/// Where the tangent of the pitch curve passes the radius the material stays on its side: at θ = 0 the normal is (e − s′, y) up to its length.
+/// Where the tangent of the pitch curve passes the radius the material stays on its side. At θ = 0 with y = √(R² − e²), s = s″ = 0:
+///
+/// ```text
+///   p′ = (y, s′ − e)      p″ = (2s′ − e, −y)      n ∝ (e − s′, y)      κ = (y² + (s′ − e) (2s′ − e)) / |p′|³
+/// ```
 #[test]
 fn a_steep_flank_keeps_its_side() {
     let (follower, offset) = (Translating { prime_radius: 0.04, offset: 0.03 }, 0.03_f64);
     let y = (0.04_f64 * 0.04 - offset * offset).sqrt();
-    let rest = Place::zeros();
-    for rate in (0..=106).map(|thousandths| f64::from(thousandths) * 1e-3) {
-        let exact = Place::new(offset - rate, y).normalize();
-        let lift = Motion { value: 0.0, rate, acceleration: 0.0 };
-        let station = follower.station(0.0, &lift).unwrap();
-        let cam =
-            PlanarBody { position: rest, angle: 0.0, velocity: rest, angular_velocity: 1.0, acceleration: rest, angular_acceleration: 0.0 };
-        let centre = Motion { value: Place::new(offset, y), rate: Place::new(0.0, rate), acceleration: rest };
-        let drawn = CurvePoint::relative(&cam, &centre).unwrap();
-        for found in [station.curve, drawn] {
-            assert!((found.normal - exact).norm() < 1e-14, "s' = {rate}: {:?}, not {exact:?}", found.normal);
-            close(found.curvature, station.curve.curvature, 1e-14, rate);
-        }
-        close(station.pressure_angle, ((rate - offset) / y).atan(), 1e-14, rate);
-        // A roller on the curve lies above the surface.
-        let surface = station.curve.surface(0.001).unwrap();
-        assert!((surface.point + exact * 0.001 - centre.value).norm() < 1e-16);
-    }
-}
-
-/// A roller that is carried around a cam at rest, or around one that turns slowly, draws the curve in its own sense.
-#[test]
-fn a_carried_roller_runs_outside() {
-    for turns in [0.0, 0.3, -0.3] {
-        let rest = Place::zeros();
-        let cam = PlanarBody {
-            position: rest,
-            angle: 0.0,
-            velocity: rest,
-            angular_velocity: turns,
-            acceleration: rest,
-            angular_acceleration: 0.0,
-        };
-        let roller = Motion { value: Place::new(0.05, 0.0), rate: Place::new(0.001, 0.05), acceleration: Place::new(-0.05, 0.002) };
-        let found = CurvePoint::relative(&cam, &roller).unwrap();
-        assert!(found.normal.x > 0.99 && found.curvature > 0.0, "{turns}: {found:?}");
+    for slope in (-20..=200).map(|thousandths| f64::from(thousandths) * 1e-3) {
+        let beside = slope - offset;
+        let station = follower.station(0.0, &Motion { value: 0.0, rate: slope, acceleration: 0.0 }).unwrap();
+        let normal = Place::new(-beside, y).normalize();
+        assert!((station.curve.normal - normal).norm() < 1e-14, "s' = {slope}: {:?}, not {normal:?}", station.curve.normal);
+        close(station.curve.curvature, (y * y + beside * (slope + beside)) / (y * y + beside * beside).powf(1.5), 1e-13, slope);
+        close(station.pressure_angle, (beside / y).atan(), 1e-14, slope);
     }
 }

@@ -64,16 +64,20 @@ impl Operations {
 }
 
 /// A mechanism whose parameters are interpolated between the defaults (λ = 0) and these (λ = 1); None if they are the defaults. With λ from 0 to −1
-/// parameters that change their sign become infinite on the way instead of zero: their reciprocals are interpolated.
+/// parameters that change their sign become infinite on the way instead of zero: their reciprocals are interpolated; None if there are none.
 #[doc(hidden)]
 pub fn between<T: Real, M: Family<T, Over<T> = M> + PartialEq>(defaults: &M, mechanism: &M, lambda: T) -> Option<M> {
-    let (zero, share) = (T::of(0.0), lambda.abs());
+    let is_negative = |number: T| T::is_less(number, T::of(0.0)) == Some(true);
+    let (share, is_around, is_turned) = (lambda.abs(), is_negative(lambda), Cell::new(false));
     let way = |[from, to]: [T; 2]| {
-        let (product, straight) = (from * to, from + share * (to - from));
-        let by_reciprocals = T::select_less(product, zero, product / (to + share * (from - to)), straight);
-        T::select_less(lambda, zero, by_reciprocals, straight)
+        if !(is_around && is_negative(from * to)) {
+            return from + share * (to - from);
+        }
+        is_turned.set(true);
+        from * to / (to + share * (from - to))
     };
-    (mechanism != defaults).then(|| M::gather([defaults, mechanism], way))
+    let found = (mechanism != defaults).then(|| M::gather([defaults, mechanism], way));
+    found.filter(|_| is_turned.get() || !is_around)
 }
 
 /// Magnitude of the parameter by which the derivatives with this number are taken; 1 if it is 0.

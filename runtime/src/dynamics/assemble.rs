@@ -246,7 +246,8 @@ where
 }
 
 /// The sign of det J, which is opposite for two assemblies that meet at the end of a branch; `None` if joints are redundant, or J is not regular.
-/// Constant coefficients that determine one coordinate alone, such as ratios and leads, have no share in it: no branch ends where they change their sign.
+/// Constant coefficients that determine one coordinate alone, such as ratios and leads, have no share in it: no two assemblies meet where they change
+/// their sign.
 fn side_of<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(mechanism: &S, q: &SVector<T, N>) -> Option<bool>
 where
     T: Scalar,

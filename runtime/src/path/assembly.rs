@@ -7,7 +7,8 @@
 //! and a long step is also accepted if the solution is close to the prediction, relative to the predicted change. Where the branch
 //! ends on the line, at a fold, the same branch may still exist at the parameters themselves: an assembly there is accepted if
 //! every determinant has the same sign as at the defaults; finding only another one is a failure. A block that is linear in its unknowns has
-//! no other solution, whatever its sign. Where the equations that are solved lose rank on the line, and redundant ones do not, the way leaps over the
+//! no other solution, whatever its sign. Where a parameter that changes its sign would turn what it drives without end, a transmission ratio with zero
+//! between, it becomes infinite on the way instead. Where the equations that are solved lose rank on the line, and redundant ones do not, the way leaps over the
 //! place.
 
 use nalgebra::SVector;
@@ -74,21 +75,25 @@ pub(crate) fn assemble<T: Float, E: Stages<T, N>, const N: usize>(equations: &E)
     {
         return Ok(state);
     }
-    match follow(equations, &origin, |way| way) {
+    match follow(equations, &origin, T::of(1.0)) {
         Ok((state, None)) => Ok(state),
         Ok((_, Some(cause))) => Err(alone(cause)),
         Err(unfinished) => elsewhere(equations, &origin, unfinished),
     }
 }
 
-/// The state at the parameters if a block with one solution has another sign there, and only such blocks: where the determinant vanishes it has no
-/// solution, so that the straight way does not lead there.
+/// The state at the parameters over infinite values, if only blocks with one solution have another sign there. Where their determinant vanishes they
+/// have none, so that the straight way ends there.
 #[cold]
 #[inline(never)]
 fn beyond_zero<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, origin: &State<T, N>) -> Option<State<T, N>> {
     let state = assemble_near(equations, T::of(0.0), &equations.start()).ok()?;
-    let is_beyond = state.branch != origin.branch && has_same_signs(E::UNIQUE, &state, origin);
-    if is_beyond { Some(around(equations, origin).unwrap_or(state)) } else { None }
+    if is_beyond::<T, E, N>(&state, origin) { around(equations, origin) } else { None }
+}
+
+/// Whether blocks with one solution have other signs than at the origin, and all others the same.
+fn is_beyond<T: Float, E: Stages<T, N>, const N: usize>(state: &State<T, N>, origin: &State<T, N>) -> bool {
+    state.branch != origin.branch && has_same_signs(E::UNIQUE, state, origin)
 }
 
 /// The state at the parameters where the straight way does not lead there.
@@ -107,8 +112,13 @@ fn elsewhere<T: Float, E: Stages<T, N>, const N: usize>(
         Unfinished::TooFar if E::ITERATED.is_empty() => return near(&start).map_err(alone),
         // An assembly near the last state may have turned less often than its drive.
         Unfinished::TooFar => {
-            let steps = const { most_steps(N) };
-            return around(equations, origin).ok_or_else(|| alone(Cause::TooManySteps { steps }));
+            if let Some(state) = around(equations, origin) {
+                return Ok(state);
+            }
+            return match near(&start) {
+                Ok(state) if is_beyond::<T, E, N>(&state, origin) => Ok(state),
+                _ => Err(alone(Cause::TooManySteps { steps: const { most_steps(N) } })),
+            };
         }
     };
     let first = match near(&here.q) {
@@ -177,35 +187,38 @@ enum Unfinished<T, const N: usize> {
 #[cold]
 #[inline(never)]
 fn around<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, origin: &State<T, N>) -> Option<State<T, N>> {
-    follow(equations, origin, |way: T| -way).ok().and_then(|(state, misfit)| if misfit.is_none() { Some(state) } else { None })
+    // No parameter changes its sign: it would be the straight way.
+    equations.interpolated(T::of(-1.0))?;
+    follow(equations, origin, T::of(-1.0)).ok().and_then(|(state, misfit)| if misfit.is_none() { Some(state) } else { None })
 }
 
 /// Follows the branch from the defaults. Returns the state at the parameters, with the redundant joint that does not fit there if
 /// there is one.
 ///
-/// * `lambda`: given, what [`Stages::interpolated`] takes, as a function of the way from 0 to 1.
+/// * `sense`: given, 1 for the straight way, −1 for the one over infinite values: the sign of λ in [`Stages::interpolated`].
 fn follow<T: Float, E: Stages<T, N>, const N: usize>(
     equations: &E,
     origin: &State<T, N>,
-    lambda: impl Fn(T) -> T,
+    sense: T,
 ) -> Result<CheckedState<T, N>, Unfinished<T, N>> {
     let (zero, one) = (T::of(0.0), T::of(1.0));
     let (mut here, mut reached, mut step) = (origin.clone(), zero, one);
     // dq/dλ, from the last step.
     let mut slope = SVector::from_element(zero);
     let (mut clear, mut leaps) = (None, 0);
-    let mut looked_at = zero;
+    let (mut looked_at, mut progress) = (zero, zero);
     for taken in 0..const { most_steps(N) } {
         // Towards a place where an angle grows without bounds steps become ever shorter.
         if taken % PACE == PACE - 1 {
-            let left = T::of(((most_steps(N) - taken) / PACE) as f64);
-            if (reached - looked_at) * left < one - reached {
+            let left = T::of((most_steps(N) - taken) as f64 / PACE as f64);
+            let before = progress;
+            (progress, looked_at) = (reached - looked_at, reached);
+            if progress < before && progress * left < one - reached {
                 return Err(Unfinished::TooFar);
             }
-            looked_at = reached;
         }
         let next = if reached + step < one { reached + step } else { one };
-        let between = if next < one { equations.interpolated(lambda(next)) } else { None };
+        let between = if next < one { equations.interpolated(sense * next) } else { None };
         let by = next - reached;
         match stride(&Followed::new(&between.as_ref().unwrap_or(equations)), &here, &slope, by) {
             // Redundant joints need not fit between the defaults and the parameters.
@@ -223,7 +236,7 @@ fn follow<T: Float, E: Stages<T, N>, const N: usize>(
         if step < T::ROOT_EPSILON * reached + T::EPSILON * T::EPSILON && !turns(equations, &slope, step) {
             if leaps < MOST_LEAPS
                 && let Some(before) = &clear
-                && let Some((found, beyond)) = leap(equations, before, reached, &lambda)
+                && let Some((found, beyond)) = leap(equations, before, reached, sense)
             {
                 if beyond == one {
                     return Ok(found);
@@ -246,14 +259,14 @@ fn leap<T: Float, E: Stages<T, N>, const N: usize>(
     equations: &E,
     (before, from, slope): &(State<T, N>, T, SVector<T, N>),
     place: T,
-    lambda: &impl Fn(T) -> T,
+    sense: T,
 ) -> Option<(CheckedState<T, N>, T)> {
     let (one, beyond) = (T::of(1.0), place + (place - *from));
     if beyond <= place {
         return None;
     }
     let beyond = if beyond < one { beyond } else { one };
-    let between = if beyond < one { equations.interpolated(lambda(beyond)) } else { None };
+    let between = if beyond < one { equations.interpolated(sense * beyond) } else { None };
     let there = between.as_ref().unwrap_or(equations);
     let mechanism = Followed::new(&there);
     let predicted = moved(&before.q, beyond - *from, slope);

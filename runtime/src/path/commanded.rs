@@ -2,7 +2,8 @@
 //! branch.
 //!
 //! Where one warm step is not enough, the inputs are led along polynomials of fifth degree in time that have the given values, rates and
-//! accelerations at both ends, or if these lead astray the values alone, from rest to rest. This is a motion by laws of time, which is followed like any other: by steps short enough that the branch
+//! accelerations at both ends. If that leads astray, as rates do over a long time, they are led from rest to rest. Either is a motion by laws of
+//! time, which is followed like any other: by steps short enough that the branch
 //! is certain, and across change points. Inputs that jump at one time are led along in a time of their own, in which `t` stands still. It is
 //! so short that laws of `t` would change nothing in it: their rates are among the rates on the way, and steps follow these.
 
@@ -45,8 +46,8 @@ impl<T: Real, E: Commanded<T>> Along<'_, T, E> {
     fn at(&self, t: T) -> (E, T) {
         let [begin, end] = self.times;
         let whole = end - begin;
-        let signed = if self.rests { -whole } else { whole };
-        let inputs = if t == end { self.to } else { E::between(&self.from, &self.to, signed, (t - begin) / whole) };
+        let felt = if self.rests { T::of(0.0) } else { whole };
+        let inputs = if t == end { self.to } else { E::between(&self.from, &self.to, [whole, felt], (t - begin) / whole) };
         (self.mechanism.with(inputs), self.still.unwrap_or(t))
     }
 }

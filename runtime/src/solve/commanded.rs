@@ -20,7 +20,7 @@ pub trait Commanded<T: Real>: Sized {
     fn with(&self, inputs: Self::Inputs) -> Self;
 
     /// The inputs on a smooth way, see [`Motion::between`](crate::Motion::between).
-    fn between(from: &Self::Inputs, to: &Self::Inputs, h: T, share: T) -> Self::Inputs;
+    fn between(from: &Self::Inputs, to: &Self::Inputs, h: [T; 2], share: T) -> Self::Inputs;
 }
 
 /// [`Family::later`](crate::Family::later) of a mechanism with inputs.
@@ -29,5 +29,5 @@ pub trait Commanded<T: Real>: Sized {
 pub fn later<T: Real, E: Commanded<T>>(mechanism: E, h: T) -> E {
     let inputs = mechanism.inputs();
     // The way to the same inputs begins with their rates and accelerations.
-    mechanism.with(E::between(&inputs, &inputs, T::of(1.0), h))
+    mechanism.with(E::between(&inputs, &inputs, [T::of(1.0); 2], h))
 }

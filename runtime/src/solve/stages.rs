@@ -38,7 +38,7 @@ pub trait Stages<T: SolverReal, const N: usize>: Description<T, N> {
 
     /// The mechanism with parameters interpolated between the declared defaults (λ = 0), for which [`start`](Description::start) is
     /// assembled, and these (λ = 1). With λ from 0 to −1 parameters that change their sign become infinite on the way instead of zero. None if
-    /// there are no parameters, or they are the defaults.
+    /// there are no such parameters, or they are the defaults.
     fn interpolated(&self, lambda: T) -> Option<Self>
     where
         Self: Sized,

@@ -83,17 +83,16 @@ impl<T: Real> Motion<T> {
     }
 
     /// On a smooth way: the polynomial of fifth degree that has the value, the rate and the acceleration of `from` at its begin and those
-    /// of `to` at its end, after the share `share` of its duration `h` (s). With a negative `h` it lasts |h|, from rest to rest.
+    /// of `to` at its end, after the share `share` of its duration `h` (s). Rates
+    /// and accelerations at the ends count as those over the time `felt`: h, or 0 for a way from rest to rest.
     ///
     /// ```text
     /// x = x₀ + h ẋ₀ s + h² ẍ₀ s² / 2 + s³ (c₃ + s (c₄ + s c₅))
     /// ```
     #[doc(hidden)]
     #[must_use]
-    pub fn between(from: &Self, to: &Self, h: T, share: T) -> Self {
+    pub fn between(from: &Self, to: &Self, [h, felt]: [T; 2], share: T) -> Self {
         let (of, s) = (T::of, share);
-        let felt = h.max(of(0.0));
-        let h = h.abs();
         let (first, second) = (felt * from.rate, felt * felt * from.acceleration);
         let value = ((to.value - from.value) - first) - of(0.5) * second;
         let rate = felt * (to.rate - from.rate) - second;

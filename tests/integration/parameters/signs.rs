@@ -55,6 +55,43 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// A double crank on the pinion of a rack, which turns ever less as its radius grows.
+    mechanism Rolled {
+        param radius: Length = 20mm;
+        param aside: Length = 0mm;
+        ground { point D = (50mm, 0mm); }
+        body rack     { }
+        body crank    { point A = (150mm, 0mm); }
+        body coupler  { point B = (180mm, 0mm); }
+        body follower { point B = (160mm, 0mm);  start angle = 60deg; }
+        joint guide = translational((1, 0), (0mm, 0mm), rack.position);
+        joint o = revolute(ground.position, crank.position);
+        joint mesh = rack_pinion(crank, rack.position, (1, 0), (0mm, 0mm), radius);
+        joint a = revolute(crank.A, coupler.position);
+        joint b = revolute(coupler.B, follower.B);
+        joint c = revolute(follower.position, ground.D);
+        drive d = drive_x(rack.position, 1m + aside);
+    }
+}
+
+/// Ways that turn fast at first, or both ways, arrive; an offset that changes its sign beside the radius does not keep them from it.
+#[test]
+fn long_turns_are_counted_whatever_their_speed() {
+    let turned = |radius: f64, aside: f64| Rolled { radius, aside }.solve(0.0).unwrap_or_else(|failure| panic!("{radius} m: {failure}"));
+    let small = turned(2e-3, 0.0);
+    let angle = -1.0 / 2e-3;
+    assert!((small.crank().angle - angle).abs() <= 1e-12 * angle.abs());
+    // As many whole turns of follower and crank.
+    assert!((small.follower().angle - small.crank().angle).abs() < 3.0, "{}", small.follower().angle);
+    for (radius, aside) in [(-20e-3, 0.0), (-20e-3, 0.5), (-5e-3, -0.3)] {
+        let state = turned(radius, aside);
+        let right = -(1.0 + aside) / radius;
+        assert!((state.crank().angle - right).abs() <= 1e-13 * right.abs(), "{radius} m");
+        assert!((state.follower().angle - state.crank().angle).abs() < 3.0, "{radius} m: {}", state.follower().angle);
+    }
+}
+
 #[test]
 fn gears_turn_either_way() {
     for ratio in [2.0_f64, 0.1, -0.1, -2.0, -7.5] {

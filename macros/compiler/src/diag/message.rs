@@ -241,7 +241,7 @@ impl fmt::Display for Doubt {
             }
             Doubt::RingInsideSun { joint, ring, sun } => {
                 write!(f, "the ring gear of `{joint}` ({ring}) is not larger than the sun gear inside it ({sun})")?;
-                write!(f, "\nhelp: the sun gear comes first, as in `z_sun: 20, z_ring: 60`; the planets have no number")
+                write!(f, "\nhelp: the sun gear comes first, as in `z_sun: 20, z_ring: 60`; the teeth of the planets are not given")
             }
             Doubt::MotionEnds(fact) => write!(f, "{fact}"),
             Doubt::UnusedImport { name } => write!(f, "nothing in this mechanism uses `{name}`\nhelp: remove `{name}` from `use`"),

@@ -44,7 +44,7 @@ pub(super) fn solve(model: &Model, system: &System) -> TokenStream {
             fn inputs(&self) -> #inputs<T> { self.inputs }
             fn at_start(&self) -> Self { Self { inputs: Self::with_defaults().inputs, ..*self } }
             fn with(&self, inputs: #inputs<T>) -> Self { Self { inputs, ..*self } }
-            fn between(from: &#inputs<T>, to: &#inputs<T>, h: T, share: T) -> #inputs<T> { #inputs::between(from, to, h, share) }
+            fn between(from: &#inputs<T>, to: &#inputs<T>, h: [T; 2], share: T) -> #inputs<T> { #inputs::between(from, to, h, share) }
         }
     }
 }

@@ -284,7 +284,7 @@ impl Parameters<'_> {
         let fields: TokenStream = self.fields(component).map(field).collect();
         quote! {
             #[doc(hidden)]
-            fn between(#from: &Self, #to: &Self, #h: T, #share: T) -> Self { Self { #fields } }
+            fn between(#from: &Self, #to: &Self, #h: [T; 2], #share: T) -> Self { Self { #fields } }
         }
     }
 }

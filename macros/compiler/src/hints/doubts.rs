@@ -189,15 +189,24 @@ fn degrees_in_output(item: &Item) -> Option<Warning> {
         ExpressionKind::Binary(found, one, two) if *found == operator => Some((one.clone(), two.clone())),
         _ => None,
     };
-    let is_half_turn = |value: &Expression| matches!(&value.kind, ExpressionKind::Number { digits, .. } if digits.parse() == Ok(180.0));
+    let is_half_turn = |value: &Expression| matches!(&value.kind, ExpressionKind::Number { digits, unit } if unit.is_empty() && digits.parse() == Ok(180.0));
     let is_pi = |value: &Expression| value.name().is_some_and(|name| name == "pi");
     let (product, last) = of(&output.value, Operator::Div)?;
     let (angle, factor) = of(&product, Operator::Mul)?;
-    if !is_half_turn(&factor) || !is_pi(&last) || !angle.to_string().contains(".angle") {
+    if !is_half_turn(&factor) || !is_pi(&last) || !is_angle(&angle) {
         return None;
     }
     let doubt = Doubt::DegreesInOutput { written: output.value.to_string(), angle: angle.to_string() };
     Some(Warning { doubt, range: output.value.range })
+}
+
+/// True for angles of bodies and joints, and for sums and differences of them.
+fn is_angle(value: &Expression) -> bool {
+    match &value.kind {
+        ExpressionKind::Field(_, name) => name == "angle",
+        ExpressionKind::Binary(Operator::Add | Operator::Sub, one, two) => is_angle(one) && is_angle(two),
+        _ => false,
+    }
 }
 
 /// Doubts a planetary train whose carrier is given as its ring gear.
@@ -205,8 +214,11 @@ fn swapped_carrier(item: &Item) -> Option<Warning> {
     let Item::Joint(joint) = item else { return None };
     let JointBody::Of { kind, arguments } = &joint.body else { return None };
     let [sun, ring, carrier, ..] = arguments.as_slice() else { return None };
-    let is_called = |argument: &Argument, word: &str| argument.name.is_none() && argument.value.to_string().contains(word);
-    if kind != "planetary" || !is_called(ring, "carrier") || !is_called(carrier, "ring") {
+    let is_called = |argument: &Argument, word: &str, other: &str| {
+        let name = argument.value.to_string();
+        argument.name.is_none() && name.contains(word) && !name.contains(other) && !name.contains("spring")
+    };
+    if kind != "planetary" || !is_called(ring, "carrier", "ring") || !is_called(carrier, "ring", "carrier") {
         return None;
     }
     let instead = format!("planetary({}, {}, {}, …)", sun.value, carrier.value, ring.value);

@@ -49,6 +49,13 @@ pub(crate) fn cross_product(value: &Expression) -> Option<[&Expression; 2]> {
 pub(crate) fn by_turns(value: &Expression) -> Option<String> {
     let ExpressionKind::Tuple(angles) = &value.kind else { return None };
     let [x, y, z] = angles.as_slice() else { return None };
+    let is_angle = |value: &Expression| match &value.kind {
+        ExpressionKind::Number { unit, .. } => quantity::unit(unit).is_some_and(|(_, dim)| dim == Dim::ANGLE && !unit.is_empty()),
+        _ => false,
+    };
+    if !angles.iter().any(is_angle) || !angles.iter().all(|angle| is_angle(angle) || is_zero(angle)) {
+        return None;
+    }
     Some(format!("turn((1, 0, 0), {x}) * turn((0, 1, 0), {y}) * turn((0, 0, 1), {z})"))
 }
 
@@ -58,27 +65,42 @@ pub(crate) fn by_law(name: &Ident, arguments: &[Expression]) -> Option<String> {
         "step" => "smooth_step",
         "step5" => "polynomial_345",
         "havsin" => "harmonic",
-        "ramp" => return if let [variable, rate] = arguments { Some(format!("{rate} * {variable}")) } else { None },
+        "ramp" => {
+            return if let [variable, rate] = arguments { Some(format!("{} * {}", as_factor(rate), as_operand(variable))) } else { None };
+        }
         _ => return None,
     };
     let [variable, from, low, to, high] = arguments else { return None };
     let is_time = variable.name().is_some_and(|name| name == "t");
-    let end = |value: &Expression| format!("{value}{}", if is_time && is_bare(value) { "s" } else { "" });
+    let end = |value: &Expression| format!("{}{}", as_operand(value), if is_time && is_bare(value) { "s" } else { "" });
     let share = match is_zero(from) {
-        true => format!("{variable} / {}", end(to)),
+        true => format!("{} / {}", as_factor(variable), end(to)),
         false => format!("({variable} - {}) / ({} - {})", end(from), end(to), end(from)),
     };
     Some(match is_zero(low) {
-        true => format!("{high} * {law}({share})"),
-        false => format!("{low} + ({high} - {low}) * {law}({share})"),
+        true => format!("{} * {law}({share})", as_factor(high)),
+        false => format!("{low} + ({high} - {}) * {law}({share})", as_operand(low)),
     })
+}
+
+/// A value on the left of a product or a quotient.
+fn as_factor(value: &Expression) -> String {
+    match value.kind {
+        ExpressionKind::Binary(Operator::Add | Operator::Sub, ..) | ExpressionKind::If { .. } => format!("({value})"),
+        _ => value.to_string(),
+    }
+}
+
+/// A value on the right of any operator.
+fn as_operand(value: &Expression) -> String {
+    if matches!(value.kind, ExpressionKind::Binary(..) | ExpressionKind::Negative(_)) { format!("({value})") } else { as_factor(value) }
 }
 
 /// A law of the time that lacks the unit of an angular velocity: `2 * pi * t` as `2 * pi * 1rad_s * t`.
 pub(crate) fn with_rate(value: &Expression) -> Option<String> {
     let ExpressionKind::Binary(Operator::Mul, factor, time) = &value.kind else { return None };
     let is_time = time.name().is_some_and(|name| name == "t");
-    (is_time && !matches!(factor.kind, ExpressionKind::Number { .. })).then(|| format!("{factor} * 1rad_s * t"))
+    (is_time && !matches!(factor.kind, ExpressionKind::Number { .. })).then(|| format!("{} * 1rad_s * t", as_factor(factor)))
 }
 
 /// True for a literal zero, as a number or as a vector.

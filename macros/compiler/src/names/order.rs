@@ -72,10 +72,13 @@ pub(crate) fn completed(definition: &Definition, given: &[(usize, String)], ambi
 
 impl Names {
     /// The call with two points, axes or bodies of a joint in the place of its name; `None` if they are not all that is missing.
-    pub(crate) fn with_ends(&self, definition: &Definition, given: &[Argument], values: &[Value]) -> Option<ArityFact> {
+    pub(crate) fn with_ends(&self, arena: &Arena, definition: &Definition, given: &[Argument], values: &[Value]) -> Option<ArityFact> {
         let (Some((joint, rest)), Some(Value::Joint { kind, arguments })) = (given.split_first(), values.first()) else { return None };
         let needed = definition.parameters.iter().filter(|formal| formal.default.is_none()).count();
-        if !(needed..=definition.parameters.len()).contains(&(rest.len() + 2)) {
+        let fit = |(formal, value): (&Formal, &Value)| fits(arena, &formal.kind, value);
+        if !(needed..=definition.parameters.len()).contains(&(rest.len() + 2))
+            || !definition.parameters[2..].iter().zip(&values[1..]).all(fit)
+        {
             return None;
         }
         let marks = |is_of: fn(&Value) -> bool| arguments.iter().filter(move |(_, value)| is_of(value)).map(|(name, _)| name.as_str());
@@ -84,19 +87,27 @@ impl Names {
         let has_way = ["translational", "cylindrical", "screw", "distance", "point_on_line"].contains(&kind.as_str());
         let mut frames: Vec<FrameId> = arguments.iter().filter_map(|(_, value)| value.frame()).collect();
         frames.dedup();
-        let mut written = Vec::new();
-        for (end, formal) in definition.parameters[..2].iter().enumerate() {
-            written.push(match formal.kind {
-                FormalKind::Axis => format!("{}.{}", joint.value, axes.get(end)?),
-                FormalKind::Point if has_way => format!("{}.{}", joint.value, points.get(end)?),
-                FormalKind::Body => self.frames[frames.get(end)?.0].name.clone(),
-                _ => return None,
-            });
-        }
-        let ends = match definition.parameters[..2] {
-            [Formal { kind: FormalKind::Axis, .. }, Formal { kind: FormalKind::Axis, .. }] => "two axes",
-            [Formal { kind: FormalKind::Axis, .. }, _] => "an axis and a body",
-            [Formal { kind: FormalKind::Point, .. }, ..] => "two points",
+        let [one, two] = &definition.parameters[..2] else { return None };
+        let mut written = match (&one.kind, &two.kind, has_way) {
+            (FormalKind::Axis, FormalKind::Axis, _) => {
+                vec![format!("{}.{}", joint.value, axes.first()?), format!("{}.{}", joint.value, axes.get(1)?)]
+            }
+            (FormalKind::Axis, FormalKind::Body, _) => {
+                vec![format!("{}.{}", joint.value, axes.first()?), self.frames[frames.get(1)?.0].name.clone()]
+            }
+            (FormalKind::Point, FormalKind::Point, true) => {
+                vec![format!("{}.{}", joint.value, points.first()?), format!("{}.{}", joint.value, points.get(1)?)]
+            }
+            (FormalKind::Body, FormalKind::Body, _) => {
+                let [one, two] = frames.as_slice() else { return None };
+                vec![self.frames[one.0].name.clone(), self.frames[two.0].name.clone()]
+            }
+            _ => return None,
+        };
+        let ends = match (&one.kind, &two.kind) {
+            (FormalKind::Axis, FormalKind::Axis) => "two axes",
+            (FormalKind::Axis, _) => "an axis and a body",
+            (FormalKind::Point, _) => "two points",
             _ => "two bodies",
         };
         written.extend(rest.iter().map(|argument| argument.value.to_string()));
@@ -145,7 +156,9 @@ impl Names {
                     if self.an_axis_of(*frame).is_none() && !without.contains(owner) {
                         without.push(owner.clone());
                     }
-                    written.push(format!("{owner}.{}", self.an_axis_of(*frame).unwrap_or("z")));
+                    let of_body = |number: &usize| matches!(values[*number], Value::Axis(_)) && values[*number].frame() == Some(*frame);
+                    let given_one = (0..given.len()).find(of_body).map(|number| given[number].1.clone());
+                    written.push(given_one.unwrap_or_else(|| format!("{owner}.{}", self.an_axis_of(*frame).unwrap_or("z"))));
                     missing.push(formal.name.to_string());
                 }
             }

@@ -42,7 +42,8 @@ impl Names {
     /// What the bodies of a joint have in the plane for its angle or its displacement.
     pub(crate) fn of_bodies(&self, name: &str, joint: &str, arguments: &[(String, Value)]) -> Option<String> {
         let is_meant = self.ambient == Ambient::Plane && ["angle", "displacement"].contains(&name);
-        is_meant.then(|| self.coordinates_across(joint, arguments).pop())?
+        let across = is_meant.then(|| self.coordinates_across(joint, arguments).pop())??;
+        (across.starts_with("dot(") == (name == "displacement")).then_some(across)
     }
 
     /// The bodies that a joint was made with, except ground.
@@ -62,7 +63,7 @@ impl Names {
         }
     }
 
-    /// The names of the joints that a body was made with, if they fit.
+    /// The joints that a body was made with: name, kind and arguments.
     pub(crate) fn joints_of(&self, frame: FrameId) -> impl Iterator<Item = (&str, &str, &Arguments)> {
         self.declared.iter().filter_map(move |declared| match &declared.progress {
             Progress::Done(Value::Joint { kind, arguments }) if arguments.iter().any(|(_, value)| value.frame() == Some(frame)) => {

@@ -7,7 +7,7 @@ use crate::geometry::{Geometry, Place, Relationship, Triad};
 use crate::model::{JointStart, Name, Of};
 use crate::quantity::{Ambient, Role};
 use crate::syntax::ast;
-use crate::words::nearest;
+use crate::words::is_synonym;
 use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -105,7 +105,8 @@ pub(crate) fn unknown_field(value: &Value, name: String, written: &ast::Expressi
         Value::Vector(_) => axes.collect(),
         _ => Vec::new(),
     };
-    let near = nearest(&name, ["rate"].into_iter()).map(|_| format!("rate({written})"));
+    let has_rate = matches!(value, Value::Point(_) | Value::Vector(_) | Value::Scalar(_)) && is_synonym("rate", &name);
+    let near = has_rate.then(|| format!("rate({written})"));
     NameFact::UnknownField { owner: value.kind().to_string(), name, near, known: Known::of(known.into_iter()) }
 }
 

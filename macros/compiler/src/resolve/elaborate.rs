@@ -10,7 +10,7 @@ use crate::names::{
 };
 use crate::quantity::{self, Ambient, Dim, InferredDim, Role};
 use crate::syntax::ast::{self, ExpressionKind};
-use crate::words::{nearest, nearest_unit};
+use crate::words::{is_synonym, nearest, nearest_unit};
 use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -480,7 +480,7 @@ impl Elaborator<'_> {
                 let words = others.into_iter().chain(axes).map(Role::name).filter(|word| !own.contains(word));
                 let words: Vec<&str> = words.chain(["angular_velocity"]).collect();
                 let known = || own.iter().copied().chain(["position"]).chain(words.iter().copied());
-                let rate = || nearest(&name, ["rate"].into_iter()).map(|_| format!("rate({}.position)", self.names.frames[frame.0].name));
+                let rate = || is_synonym("rate", &name).then(|| format!("rate({}.position)", self.names.frames[frame.0].name));
                 let (near, known) = (rate().or_else(|| self.nearest(&name, known())), Known::of(known()));
                 let owner = format!("`{}`", self.names.frames[frame.0].name);
                 self.refuse(field, NameFact::UnknownField { owner, name, near, known })

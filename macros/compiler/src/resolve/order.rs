@@ -36,7 +36,7 @@ impl Elaborator<'_> {
         let values: Option<Vec<Value>> = given.iter().map(|argument| self.value(&argument.value, scope)).collect();
         self.diag.withdraw(before);
         let values = values.unwrap_or_default();
-        if let Some(fact) = self.names.with_ends(definition, given, &values) {
+        if let Some(fact) = self.names.with_ends(&self.arena, definition, given, &values) {
             return self.refuse(kind, fact);
         }
         let values = if values.iter().any(|value| matches!(value, Value::Joint { .. })) { Vec::new() } else { values };

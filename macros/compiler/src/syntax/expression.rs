@@ -30,12 +30,16 @@ use syn::{Ident, Lit, LitBool, Token, token};
 /// `=` between a name and its value; `head` is what stands before it.
 pub(super) fn equals_behind(input: ParseStream, head: impl Display) -> Parsed<()> {
     let ahead = input.fork();
-    if ahead.peek(Token![:]) {
+    let is_colon = ahead.peek(Token![:]);
+    if is_colon {
         ahead.parse::<Token![:]>()?;
     }
-    match expression(&ahead) {
-        Ok(value) if ahead.peek(Token![;]) || ahead.peek(syn::Ident) => {
-            let rest = if ahead.peek(Token![;]) { "" } else { " …" };
+    let begins_otherwise = keyword(&ahead).is_some_and(|word| ["at", "is", "of", "to", "be"].iter().any(|other| word == other));
+    let value = expression(&ahead).ok().filter(|value| !begins_otherwise && !(is_colon && value.name().is_some()));
+    let clause = keyword(&ahead).filter(|word| ["from", "at", "with", "along"].iter().any(|known| word == known));
+    match value {
+        Some(value) if ahead.peek(Token![;]) || clause.is_some() => {
+            let rest = if clause.is_some() { " …" } else { "" };
             wrong(input.span(), GrammarFact::WithoutEquals { found: next(input), instead: format!("{head} = {value}{rest};") })
         }
         _ => equals(input),

@@ -20,7 +20,7 @@ use super::tokens::{
 };
 use crate::diag::{ArrayFact, Diag, GrammarFact, Range, ValueFact, Word};
 use crate::quantity::{self, Ambient, Dim};
-use crate::words::{Home, home};
+use crate::words::{Home, home, is_synonym};
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
@@ -230,12 +230,10 @@ fn unknown_item<T>(input: ParseStream, keyword: &Ident, ambient: Ambient) -> Par
         Some(Home::Drive(call)) => is_own(call).then_some(Word::Drive),
         Some(Home::Force(call)) => is_own(call).then_some(Word::Force),
         Some(Home::Joint(calls)) => calls.iter().any(|call| is_own(call)).then_some(Word::Joint),
-        // A call has its kind behind `=`: without one it is a place.
-        None if name.is_some() => {
-            return match name {
-                Some(name) if is_call => wrong(keyword, GrammarFact::FeatureOutside { word: "point".to_owned(), name }),
-                name => wrong(keyword, GrammarFact::UnknownItem { word, name, home: None }),
-            };
+        None if is_call && is_synonym("point", &word) => {
+            rest.parse::<Token![=]>()?;
+            let instead = format!("ground {{ point {} = {}; }}", name.unwrap_or_default(), statement_text(&rest)?);
+            return wrong(keyword, GrammarFact::Misspelt { flaw: "a place in ground is a point", instead });
         }
         _ => Some(Word::Joint),
     };
@@ -536,10 +534,16 @@ fn function(input: ParseStream) -> Parsed<FunctionItem> {
         return wrong(content.span(), GrammarFact::OneArgument);
     }
     if input.peek(Token![=]) && !input.peek(Token![==]) {
-        let (range, value) = (input.span(), statement_text(input)?.replacen('=', "", 1));
+        let range = input.span();
+        equals(input)?;
+        let value = expression(input)?.to_string();
         let has_unit = value.as_bytes().windows(2).any(|pair| pair[0].is_ascii_digit() && pair[1].is_ascii_alphabetic());
-        let (from, to) = (if is_named { "" } else { ": Number" }, if has_unit { "…" } else { "Number" });
-        let instead = format!("function {name}({argument}{from}) -> {to} = {value};");
+        let formal = match (is_named, Dim::named(&argument)) {
+            (true, _) => argument,
+            (false, None) => format!("{argument}: Number"),
+            (false, Some(_)) => format!("x: {argument}"),
+        };
+        let instead = format!("function {name}({formal}) -> {} = {value};", if has_unit { "…" } else { "Number" });
         return wrong(range, GrammarFact::Misspelt { flaw: "a function has the dimensions of its argument and of its value", instead });
     }
     let to = dimension_of_value(input)?;

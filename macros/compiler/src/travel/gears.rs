@@ -38,15 +38,17 @@ pub(super) fn inside_out(model: &Model, system: &System) -> Vec<Warning> {
         if made.kind != "planetary" {
             return None;
         }
-        let [Some(JointArgument::Number(sun, dim)), Some(JointArgument::Number(ring, _))] =
-            ["z_sun", "z_ring"].map(|name| made.argument(name))
+        let [Some(JointArgument::Number(sun, dim)), Some(JointArgument::Number(ring, _)), Some(JointArgument::Number(offset, _))] =
+            ["z_sun", "z_ring", "c"].map(|name| made.argument(name))
         else {
             return None;
         };
-        let values = at_defaults(model, system, |numeric| evaluate(&model.sketch.arena, &[*sun, *ring], &numeric.known));
-        let &[sun, ring] = values.as_slice() else { return None };
+        let values = at_defaults(model, system, |numeric| evaluate(&model.sketch.arena, &[*sun, *ring, *offset], &numeric.known));
+        let &[sun, ring, offset] = values.as_slice() else { return None };
+        // Of three numbers of teeth the last one is taken as the offset.
+        let is_inside = ring < sun || ring == sun && offset.abs() > ring;
         // With a negative one it is a train with two sun gears.
-        if !(ring > 0.0 && ring <= sun && said.is_new(&joint.name)) {
+        if !(ring > 0.0 && is_inside && said.is_new(&joint.name)) {
             return None;
         }
         let doubt = Doubt::RingInsideSun { joint: joint.name.to_string(), ring: quantity(ring, *dim), sun: quantity(sun, *dim) };

@@ -18,7 +18,7 @@ const FUNCTIONS: [(&[&str], &str, &str); 49] = [
     (
         &["impact", "bistop"],
         ": a stop is a force between bodies",
-        "write `force name = stop_along(P, u, Q, limit, force, depth);`, with the least way of `Q` from `P` along `u`",
+        "write `force name = stop_along(P, u, Q, limit, force, depth);`, where `limit` is the smallest distance of `Q` from `P` along `u`",
     ),
     (&["shf"], "", "write `a * sin(w * t + phase) + b`"),
     (&["dm", "dx", "dy", "dz"], "", "the distance of two points is `norm(Q - P)`, a component of it `Q.x - P.x`"),

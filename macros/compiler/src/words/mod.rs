@@ -9,4 +9,4 @@ pub(crate) use elsewhere::equivalent;
 pub(crate) use functions::foreign;
 pub use home::Home;
 pub(crate) use home::home;
-pub(crate) use suggest::{nearest, nearest_unit, stem, usual_dimension};
+pub(crate) use suggest::{is_synonym, nearest, nearest_unit, stem, usual_dimension};

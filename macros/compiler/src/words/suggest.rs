@@ -50,7 +50,7 @@ const SYNONYMS: [(&str, &[&str]); 106] = [
     ("point_on_line", &["pin_slot", "pin_in_slot", "inline", "in_line", "point_on_axis"]),
     ("point_on_plane", &["in_plane", "inplane"]),
     ("perpendicular_axes", &["perpendicular"]),
-    ("point", &["marker", "vertex", "location"]),
+    ("point", &["marker", "vertex", "location", "anchor", "node", "place"]),
     ("axis", &["direction", "vector"]),
     ("spherical", &["ball", "ball_joint", "globe"]),
     ("universal", &["hooke", "cardan", "u_joint", "gimbal"]),
@@ -232,6 +232,11 @@ const USUAL: [(&str, &[&str]); 9] = [
 pub(crate) fn usual_dimension(name: &str) -> Option<&'static str> {
     let stem = name.trim_end_matches(|end: char| end.is_ascii_digit() || end == '_').to_lowercase();
     USUAL.iter().find(|(_, names)| names.contains(&stem.as_str())).map(|(dimension, _)| *dimension)
+}
+
+/// True for a word that is the known one elsewhere, or itself.
+pub(crate) fn is_synonym(known: &str, word: &str) -> bool {
+    known == word || SYNONYMS.iter().any(|(name, others)| *name == known && others.contains(&word))
 }
 
 /// Known name nearest to a mistyped one, if it is similar enough.

@@ -70,7 +70,7 @@ fn a_ring_is_larger_than_its_sun() {
     assert_eq!(
         told("60, 20"),
         [
-            "the ring gear of `train` (20) is not larger than the sun gear inside it (60)\nhelp: the sun gear comes first, as in `z_sun: 20, z_ring: 60`; the planets have no number"
+            "the ring gear of `train` (20) is not larger than the sun gear inside it (60)\nhelp: the sun gear comes first, as in `z_sun: 20, z_ring: 60`; the teeth of the planets are not given"
         ]
     );
     assert_eq!(told("24, 24, 72").len(), 1);

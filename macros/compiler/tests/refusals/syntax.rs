@@ -105,7 +105,7 @@ crate::refusals! {
     item field_is_no_number: "output b = crank.«5»;" => "expected a name after `.`, found `5`";
     item function_of_two: "function f(a: Angle«,» b: Angle) -> Length = 1mm;" => "a function here has one argument\nhelp: what else it depends on is a `param` or a `let`, which it sees";
     item function_without_result: "function f(a: Angle) «=» 1mm;" => "a function has the dimensions of its argument and of its value\nhelp: write `function f(a: Angle) -> … = 1mm;`";
-    item function_of_a_number_without_dimensions: "function f(x) «=» x * x;" => "a function has the dimensions of its argument and of its value\nhelp: write `function f(x: Number) -> Number = x*x;`";
+    item function_of_a_number_without_dimensions: "function f(x) «=» x * x;" => "a function has the dimensions of its argument and of its value\nhelp: write `function f(x: Number) -> Number = x * x;`";
     item exponent_of_a_dimension: "param a: Length^«99» = 1;" => "the exponent of a dimension is at most 6";
     item attribute_is_unknown: "#[«inline»] output b = crank.x;" => "`#[inline]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`, `#[velocity]` before `joint` and `drive`";
     item attribute_removes_a_field: "#[«cfg»(all())] param a: Length = 3mm;" => "`#[cfg]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`, `#[velocity]` before `joint` and `drive`";

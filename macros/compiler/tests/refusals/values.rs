@@ -320,7 +320,22 @@ fn expressions_that_are_often_meant_otherwise_are_doubted() {
     let degrees = "`b.angle * 180 / pi` is an angle, and outputs of angles are in rad: it is 57 times too large\nhelp: write `b.angle / 1deg` for \
                    the number of degrees, or `.to_degrees()` in Rust";
     assert_eq!(plane("output a = b.angle * 180 / pi;"), [degrees]);
-    for sure in ["output a = b.angle;", "output a = 180 / pi;", "output a = b.angle * 90 / pi;"] {
+    let swapped =
+        "`carrier` is in the place of the ring gear\nhelp: write `planetary(sun, ring, carrier, …)`: sun gear, ring gear, carrier";
+    let train = |bodies: &str| {
+        plane(&format!("body sun {{}} body ring {{}} body carrier {{}} body ring_carrier {{}} joint p = planetary({bodies}, 24, 72);"))
+    };
+    assert_eq!(train("sun, carrier, ring"), [swapped]);
+    for sure in ["sun, ring, carrier", "sun, ring_carrier, ring", "carrier, ring, sun"] {
+        assert_eq!(train(sure), Vec::<String>::new(), "{sure}");
+    }
+    for sure in [
+        "output a = b.angle;",
+        "output a = 180 / pi;",
+        "output a = b.angle * 90 / pi;",
+        "output a = sin(b.angle) * 180 / pi;",
+        "output a = b.angle * 180Nm / pi;",
+    ] {
         assert_eq!(plane(sure), Vec::<String>::new(), "{sure}");
     }
     let spring = |force: &str| plane(&format!("body c {{ point P = (1m, 0m); mass = 1kg; }} force k = {force};"));

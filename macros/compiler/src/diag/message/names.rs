@@ -242,7 +242,8 @@ impl Display for NameFact {
             }
             NameFact::UnknownStart { name, value, body, in_space, .. } if is_velocity(name) => {
                 let owner = if *in_space { "hinge" } else { body };
-                let speed = if value.contains("_s") || value.contains("rpm") { value } else { "5rad_s" };
+                let turns = ["rad_s", "deg_s", "rpm"].iter().any(|unit| value.ends_with(unit));
+                let speed = if turns { value } else { "5rad_s" };
                 write!(f, "a body does not start with `{name}`: a velocity at the start is that of a freedom")?;
                 write!(f, "\nhelp: write `freedom name = {owner}.angle from 0deg at {speed};` with the angle at the start")
             }

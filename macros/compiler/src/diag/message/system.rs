@@ -216,10 +216,10 @@ impl Display for SystemFact {
                         let laws: Vec<String> = drives.iter().filter(|drive| !declared_free.contains(drive)).cloned().collect();
                         write!(
                             f,
-                            "\nhelp: nothing else may determine a freedom: take {} away, for a motion by a law",
+                            "\nhelp: nothing else may determine a freedom: take {} away if a law gives the motion",
                             list(declared_free)
                         )?;
-                        write!(f, ", or {}, for one that follows from forces", list(&laws))?;
+                        write!(f, ", or {} if forces do", list(&laws))?;
                     }
                 }
                 if free.is_empty() { Ok(()) } else { write!(f, ", or declare {}", list(free)) }

@@ -336,7 +336,7 @@ impl Display for ValueFact {
                 write!(f, "what moves along a body is a body of its own")
             }
             ValueFact::AnglesForOrientation { instead } => {
-                write!(f, "an orientation is a product of turns, found three numbers\nhelp: write `{instead}`")?;
+                write!(f, "an orientation is a product of turns, found three angles\nhelp: write `{instead}`")?;
                 write!(f, ", where each turn is about an axis that the turns before it have turned")
             }
             ValueFact::NotAStart { written, body, ambient } => not_a_start(f, written, body.as_deref(), *ambient),
