@@ -32,6 +32,9 @@ const MANY: usize = 90;
 /// After so many steps it is seen whether those that are left lead to the parameters.
 const PACE: usize = 1000;
 
+/// A way of constant speed becomes slower by less than this from one look to the next.
+const SLOWER: f64 = 0.9;
+
 /// A step in which no angle is predicted to turn by more than this (rad) is not limited by turns.
 const SHORT_TURN: f64 = 0.1;
 
@@ -213,7 +216,7 @@ fn follow<T: Float, E: Stages<T, N>, const N: usize>(
             let left = T::of((most_steps(N) - taken) as f64 / PACE as f64);
             let before = progress;
             (progress, looked_at) = (reached - looked_at, reached);
-            if progress < before && progress * left < one - reached {
+            if progress < T::of(SLOWER) * before && progress * left < one - reached {
                 return Err(Unfinished::TooFar);
             }
         }
