@@ -148,7 +148,7 @@ mechanism! {
         body rack { mass = 1kg; }
         body pinion { point A = (100mm, 0mm); mass = 1kg; inertia = 0.01kgm2; }
         body coupler { point B = (350mm, 0mm); }
-        body rocker { point B = (300mm, 0mm); start angle = 70deg; }
+        body rocker { point B = (300mm, 0mm); start angle = 115deg; }
         joint o = revolute(ground.position, pinion.position);
         joint guide = translational((1, 0), (0mm, 0mm), rack.position);
         joint mesh = rack_pinion(pinion, rack.position, (1, 0), (0mm, 0mm), radius);

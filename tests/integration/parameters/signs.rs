@@ -154,14 +154,14 @@ fn what_gears_turn_keeps_its_assembly_and_its_turns() {
     let declared = Dragged::default();
     for wheel in [-40.0, -20.0, -1.0, -0.2, 0.2, 1.0, 400.0] {
         let ratio = -20.0 / wheel;
-        let led = Dragged { wheel, ..declared.clone() }.solve(0.1).unwrap_or_else(|failure| panic!("{wheel}: {failure}"));
+        let led = Dragged { wheel, ..declared }.solve(0.1).unwrap_or_else(|failure| panic!("{wheel}: {failure}"));
         let crank = ratio * 0.4;
         assert!((led.crank().angle - crank).abs() <= 4.0 * f64::EPSILON * crank.abs(), "{wheel}: {}", led.crank().angle);
         let waited = declared.solve(crank / -0.5 - 0.3).unwrap_or_else(|failure| panic!("{wheel}: {failure}"));
         let off = [led.follower().angle - waited.follower().angle, led.coupler().angle - waited.coupler().angle];
         assert!(off.iter().all(|off| off.abs() <= 1e-13 * crank.abs().max(1.0)), "{wheel}: {off:?}");
     }
-    let teeth = Dragged { teeth: -20.0, ..declared.clone() }.solve(0.1).unwrap();
+    let teeth = Dragged { teeth: -20.0, ..declared }.solve(0.1).unwrap();
     let wheel = Dragged { wheel: -40.0, ..declared }.solve(0.1).unwrap();
     assert!((teeth.follower().angle - wheel.follower().angle).abs() <= 1e-14);
 }

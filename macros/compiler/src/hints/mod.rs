@@ -20,8 +20,8 @@ pub(crate) use angles::bare_angles;
 pub(crate) use bare::BareNumbers;
 pub(crate) use doubts::doubtful_expressions;
 pub(crate) use forms::{
-    argument_of, by_law, by_time, by_turns, cross_product, decimal_comma, gain, in_millimetres, in_words, is_bare, is_measured, is_zero, noted,
-    orientation_of, place_of_argument, unit_in_parts, with_bare_bounds, with_rate, with_time_too_much, without_time,
+    argument_of, by_law, by_time, by_turns, cross_product, decimal_comma, gain, in_millimetres, in_words, is_bare, is_measured, is_zero,
+    noted, orientation_of, place_of_argument, unit_in_parts, with_bare_bounds, with_rate, with_time_too_much, without_time,
 };
 pub(crate) use generated::{is_generated, is_of_generated_type};
 pub(crate) use outputs::{OutputKind, derivatives, output_kind};

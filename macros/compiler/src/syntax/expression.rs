@@ -35,7 +35,7 @@ pub(super) fn equals_behind(input: ParseStream, head: impl Display) -> Parsed<()
         ahead.parse::<Token![:]>()?;
     }
     let begins_otherwise = keyword(&ahead).is_some_and(|word| ["at", "is", "of", "to", "be"].iter().any(|other| word == other));
-    let value = expression(&ahead).ok().filter(|value| !begins_otherwise && !(is_colon && value.name().is_some()));
+    let value = expression(&ahead).ok().filter(|value| !(begins_otherwise || is_colon && value.name().is_some()));
     let clause = keyword(&ahead).filter(|word| ["from", "at", "with", "along"].iter().any(|known| word == known));
     match value {
         Some(value) if ahead.peek(Token![;]) || clause.is_some() => {
