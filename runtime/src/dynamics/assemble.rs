@@ -263,10 +263,15 @@ where
     put(&mut beside, &S::INTEGRATED, &moved(&picked(q, &S::INTEGRATED), T::of(ASIDE), &lengths));
     let elsewhere = initial_at(mechanism, &beside).jacobian;
     let is_negative = |row: usize| {
-        let mut entries = (0..I).filter(|column| jacobian[(row, *column)] != T::ZERO);
-        let only = entries.next().filter(|_| of_positions[row] && entries.next().is_none());
-        let is_constant = (0..I).all(|column| jacobian[(row, column)] == elsewhere[(row, column)]);
-        only.is_some_and(|column| is_constant && jacobian[(row, column)] < T::ZERO)
+        let (mut entries, mut is_constant, mut last) = (0, true, T::ZERO);
+        for (column, other) in jacobian.data.0.iter().zip(&elsewhere.data.0) {
+            let (Some(&entry), Some(&there)) = (column.get(row), other.get(row)) else { continue };
+            is_constant &= entry == there;
+            if entry != T::ZERO {
+                (entries, last) = (entries + 1, entry);
+            }
+        }
+        of_positions.get(row) == Some(&true) && is_constant && entries == 1 && last < T::ZERO
     };
     Some((0..R).fold(sign, |sign, row| sign ^ is_negative(row)))
 }

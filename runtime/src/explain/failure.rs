@@ -53,6 +53,11 @@ impl<T: Float, const N: usize> fmt::Display for Failure<T, N> {
                  `solve_near` may find a state beyond from a guess",
                 Plain(last.t.to_f64())
             )?,
+            (Cause::TooManySteps { steps }, None) => write!(
+                f,
+                "`{name}` does not find the way from its defaults to these parameters in {steps} steps: give defaults nearer to them, or give \
+                 `solve_near` a guess"
+            )?,
             (cause, _) => cause.fmt(f, name, t)?,
         }
         let Some(BranchEnd { lambda, row, coordinate }) = &self.end else { return Ok(()) };

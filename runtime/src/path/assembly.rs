@@ -209,13 +209,12 @@ fn follow<T: Float, E: Stages<T, N>, const N: usize>(
     // dq/dλ, from the last step.
     let mut slope = SVector::from_element(zero);
     let (mut clear, mut leaps) = (None, 0);
-    let (mut looked_at, mut progress) = (zero, zero);
+    let (mut looked_at, mut progress, mut left) = (zero, zero, T::of(const { most_steps(N) as f64 / PACE as f64 }));
     for taken in 0..const { most_steps(N) } {
         // Towards a place where an angle grows without bounds steps become ever shorter.
         if taken % PACE == PACE - 1 {
-            let left = T::of((most_steps(N) - taken) as f64 / PACE as f64);
             let before = progress;
-            (progress, looked_at) = (reached - looked_at, reached);
+            (progress, looked_at, left) = (reached - looked_at, reached, left - one);
             if progress < T::of(SLOWER) * before && progress * left < one - reached {
                 return Err(Unfinished::TooFar);
             }

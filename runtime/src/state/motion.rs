@@ -83,8 +83,8 @@ impl<T: Real> Motion<T> {
     }
 
     /// On a smooth way: the polynomial of fifth degree that has the value, the rate and the acceleration of `from` at its begin and those
-    /// of `to` at its end, after the share `share` of its duration `h` (s). Rates
-    /// and accelerations at the ends count as those over the time `felt`: h, or 0 for a way from rest to rest.
+    /// of `to` at its end, after the share `share` of its duration `h` (s).
+    /// Rates and accelerations at the ends count as those over the time `felt`: h, or 0 for a way from rest to rest.
     ///
     /// ```text
     /// x = x₀ + h ẋ₀ s + h² ẍ₀ s² / 2 + s³ (c₃ + s (c₄ + s c₅))
