@@ -85,7 +85,7 @@ pub(crate) fn assemble<T: Float, E: Stages<T, N>, const N: usize>(equations: &E)
     }
 }
 
-/// The state at the parameters over infinite values, if only blocks with one solution have another sign there. Where their determinant vanishes they
+/// The state at the parameters through infinite values, if only blocks with one solution have another sign there. Where their determinant vanishes they
 /// have none, so that the straight way ends there.
 #[cold]
 #[inline(never)]
@@ -198,7 +198,7 @@ fn around<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, origin: &Sta
 /// Follows the branch from the defaults. Returns the state at the parameters, with the redundant joint that does not fit there if
 /// there is one.
 ///
-/// * `sense`: given, 1 for the straight way, −1 for the one over infinite values: the sign of λ in [`Stages::interpolated`].
+/// * `sense`: given, 1 for the straight way, −1 for the one through infinite values: the sign of λ in [`Stages::interpolated`].
 fn follow<T: Float, E: Stages<T, N>, const N: usize>(
     equations: &E,
     origin: &State<T, N>,

@@ -55,52 +55,40 @@ mechanism! {
     }
 }
 
-mechanism! {
-    /// A double crank on the pinion of a rack, which turns ever less as its radius grows.
-    mechanism Rolled {
-        param radius: Length = 20mm;
-        param aside: Length = 0mm;
-        ground { point D = (50mm, 0mm); }
-        body rack     { }
-        body crank    { point A = (150mm, 0mm); }
-        body coupler  { point B = (180mm, 0mm); }
-        body follower { point B = (160mm, 0mm);  start angle = 106deg; }
-        joint guide = translational((1, 0), (0mm, 0mm), rack.position);
-        joint o = revolute(ground.position, crank.position);
-        joint mesh = rack_pinion(crank, rack.position, (1, 0), (0mm, 0mm), radius);
-        joint a = revolute(crank.A, coupler.position);
-        joint b = revolute(coupler.B, follower.B);
-        joint c = revolute(follower.position, ground.D);
-        drive d = drive_x(rack.position, 1m + aside);
-    }
+/// A double crank on the pinion of a rack, which turns ever less as its radius grows.
+macro_rules! rolled {
+    ($name:ident, radius $radius:literal, start $start:literal) => {
+        mechanism! {
+            #[allow(far_start)]
+            mechanism $name {
+                param radius: Length = $radius;
+                param aside: Length = 0mm;
+                ground { point D = (50mm, 0mm); }
+                body rack     { }
+                body crank    { point A = (150mm, 0mm); }
+                body coupler  { point B = (180mm, 0mm); }
+                body follower { point B = (160mm, 0mm);  start angle = $start; }
+                joint guide = translational((1, 0), (0mm, 0mm), rack.position);
+                joint o = revolute(ground.position, crank.position);
+                joint mesh = rack_pinion(crank, rack.position, (1, 0), (0mm, 0mm), radius);
+                joint a = revolute(crank.A, coupler.position);
+                joint b = revolute(coupler.B, follower.B);
+                joint c = revolute(follower.position, ground.D);
+                drive d = drive_x(rack.position, 1m + aside);
+            }
+        }
+    };
 }
 
-mechanism! {
-    /// The same with a radius that is almost nothing.
-    #[allow(far_start)]
-    mechanism Slowed {
-        param radius: Length = 0.1mm;
-        ground { point D = (50mm, 0mm); }
-        body rack     { }
-        body crank    { point A = (150mm, 0mm); }
-        body coupler  { point B = (180mm, 0mm); }
-        body follower { point B = (160mm, 0mm);  start angle = 60deg; }
-        joint guide = translational((1, 0), (0mm, 0mm), rack.position);
-        joint o = revolute(ground.position, crank.position);
-        joint mesh = rack_pinion(crank, rack.position, (1, 0), (0mm, 0mm), radius);
-        joint a = revolute(crank.A, coupler.position);
-        joint b = revolute(coupler.B, follower.B);
-        joint c = revolute(follower.position, ground.D);
-        drive d = drive_x(rack.position, 1m);
-    }
-}
+rolled!(Rolled, radius 20mm, start 106deg);
+rolled!(Slowed, radius 0.1mm, start 60deg);
 
 /// Whole turns are counted on either way; an offset that changes its sign beside the radius does not keep them from arriving.
 #[test]
 fn long_turns_are_counted_whatever_their_speed() {
     let turned = |radius: f64, aside: f64| Rolled { radius, aside }.solve(0.0).unwrap_or_else(|failure| panic!("{radius} m: {failure}"));
     let declared = turned(20e-3, 0.0);
-    // The one on the way over zero, on which the pinion turns faster and faster, and those over infinite radii.
+    // The one on the way over zero, on which the pinion turns faster and faster, and those through infinite radii.
     for (radius, aside) in [(2e-3, 0.0), (0.5, 0.0), (-20e-3, 0.0), (-20e-3, 0.5), (-5e-3, -0.3)] {
         let state = turned(radius, aside);
         let right = -(1.0 + aside) / radius;
@@ -114,7 +102,7 @@ fn long_turns_are_counted_whatever_their_speed() {
 /// At the declared radius a pinion turns by ten thousand radians, and almost not at all at the given one.
 #[test]
 fn a_way_that_begins_with_many_turns_arrives() {
-    let state = Slowed { radius: 1.0 }.solve(0.0).unwrap_or_else(|failure| panic!("{failure}"));
+    let state = Slowed { radius: 1.0, aside: 0.0 }.solve(0.0).unwrap_or_else(|failure| panic!("{failure}"));
     assert!(f64::abs(state.crank().angle + 1.0) < 1e-14);
 }
 

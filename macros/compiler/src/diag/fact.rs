@@ -1,8 +1,10 @@
 //! Errors in a declaration: facts with their numbers, in families. `message.rs` turns them into sentences, in one file per family.
 
+mod grammar;
 mod motion;
 mod system;
 
+pub use grammar::GrammarFact;
 pub use motion::{JerkObstacle, JointValue, MotionFact, Word};
 pub use system::{Count, Demand, Forgotten, Neglected, NoPosition, SystemFact};
 
@@ -89,67 +91,6 @@ impl Fact {
             fact => matches!(fact, Fact::Value(ValueFact::WrongArgument { .. } | ValueFact::WrongArgumentDimension { .. })),
         }
     }
-}
-
-/// Tokens that are not a valid declaration.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(missing_docs)] // The sentence of each fact is its documentation.
-pub enum GrammarFact {
-    Syntax { message: String },
-    Expected { what: &'static str, found: String },
-    ArgumentByEquals { name: String },
-    Unnamed { word: Word, kind: String },
-    NotANumber { found: &'static str },
-    TooDeep { limit: u16 },
-    PartsTooDeep { limit: usize },
-    TooLong { limit: u16 },
-    LongChain { limit: u16, in_function: bool },
-    Keyword { word: String },
-    NumberType,
-    UnknownAttribute { name: String },
-    ClosingWord { near: Option<String> },
-    AllowedWord { near: Option<String> },
-    AttributeTwice { name: String },
-    SecondTask { name: String },
-    TokensAfter { what: &'static str, help: &'static str },
-    UnknownItem { word: String, name: Option<String>, home: Option<Home> },
-    UnknownBodyItem { word: String, is_point: bool },
-    MassOfGround { word: String },
-    FeatureOutside { word: String, name: String },
-    HashComment,
-    CommaAtEnd,
-    DecimalComma,
-    BoundsElsewhere,
-    Misspelt { flaw: &'static str, instead: String },
-    OutputWithoutName { value: String },
-    OutputWithDimension { name: String },
-    TwoConditions,
-    ConditionInParentheses,
-    NumberBeforeParentheses { number: String, is_range: bool },
-    OutputInUnit { unit: String },
-    UnitBehindParentheses { written: String, unit: String },
-    ArrayOfDimension { written: String },
-    ComparisonOutside,
-    ForceBeforePlace { name: String, clause: String },
-    StraySemicolon,
-    WithoutEquals { found: String, instead: String },
-    BodyWithoutBraces { name: String, found: String },
-    ParameterWithoutDimension { name: String, default: Option<(&'static str, String)> },
-    UnitRaised { written: String, unit: String, squared: String },
-    RustConstant { written: String, instead: &'static str },
-    OneArgument,
-    OneEqualsSign,
-    WithoutParentheses { what: &'static str, instead: String },
-    PathOfConstraint { path: String, last: String },
-    DoubleStar,
-    Return { is_segment: bool },
-    MethodCall { name: String },
-    SpaceBeforeUnit { number: String, suffix: String, unit: String },
-    ExponentTooLarge { limit: u8 },
-    OnlyAtTheTop { word: String },
-    StartInLoop,
-    StartOfJoint,
-    IndexInEquations { name: String },
 }
 
 /// Loops, arrays, components and parts.

@@ -1,24 +1,25 @@
 //! Parses the items of a mechanism.
 
 use super::ast::{
-    Closing, ComponentHome, ComponentItem, Docs, Expression, ExpressionKind, Following, FunctionItem, Gravity, Item, JointItem, Limits,
-    Mechanism, ParameterItem, Requests, Shared, StartItem, Task, TimeRange, Use, has_item,
+    Closing, ComponentHome, ComponentItem, Docs, Expression, ExpressionKind, Following, Gravity, Item, JointItem, Mechanism, Requests,
+    Shared, StartItem, Task, TimeRange, Use, has_item,
 };
 use super::definition::{ambient, binding};
-use super::dimension::{dimension, dimension_of_value, required_dimension};
-use super::expression::{declared, expression, in_brackets, value};
+use super::expression::{expression, value};
 use super::frame::{body, ground};
+use super::function::function;
 use super::joint::{energy, freedom, joint};
 use super::options::{Options, options, passing, velocity};
 use super::output::output;
+use super::parameter::{input_item, limits, parameter};
 use super::repeated::{component, part, repeated_items};
 use super::salvage;
 use super::slip::constant_of_rust;
 use super::tokens::{
-    Parsed, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, mentions_masses, name, name_before_block,
-    parentheses, path, report, semicolon, skip_item, skip_to_block, statement_text, visibility, wrong,
+    Parsed, attributes, block, braces, comma, expected, is_item, keyword, mentions_masses, name, name_before_block, path, report,
+    semicolon, skip_item, skip_to_block, statement_text, visibility, wrong,
 };
-use crate::diag::{ArrayFact, Diag, GrammarFact, Range, ValueFact, Word};
+use crate::diag::{ArrayFact, Diag, GrammarFact, ValueFact, Word};
 use crate::quantity::{self, Ambient, Dim};
 use crate::words::{Home, home, is_synonym};
 use proc_macro2::Ident;
@@ -345,123 +346,6 @@ fn renamed(input: ParseStream, path: super::ast::Path) -> Parsed<Use> {
     Ok(Use { path, name: name(input, "a name after `as`")? })
 }
 
-/// `param name: Dimension = default;`
-fn parameter(input: ParseStream, docs: Docs) -> Parsed<ParameterItem> {
-    Ident::parse_any(input)?;
-    let (name, indices) = declared(input, "the name of the parameter")?;
-    if input.peek(Token![=]) {
-        return without_dimension(input, (&name, &indices));
-    }
-    let dimension = required_dimension(input)?;
-    if !input.peek(Token![=]) {
-        return expected(input, "`=` and the default of the parameter");
-    }
-    equals(input)?;
-    let default = expression(input)?;
-    no_least_and_greatest(input, &default)?;
-    let limits = if input.peek(Token![in]) { Some(limits(input)?) } else { None };
-    semicolon(input)?;
-    Ok(ParameterItem { docs, name, indices, dimension, default, limits })
-}
-
-/// Refuses `param a = 50mm;`.
-fn without_dimension<T>(input: ParseStream, (name, indices): (&Ident, &[Expression])) -> Parsed<T> {
-    let (ahead, range) = (input.fork(), input.span());
-    equals(&ahead)?;
-    let default = expression(&ahead)?;
-    let unit = match &default.kind {
-        ExpressionKind::Number { unit, .. } if unit.is_empty() => Some(Dim::NUMBER),
-        ExpressionKind::Number { unit, .. } => quantity::unit(unit).map(|(_, dim)| dim),
-        _ => None,
-    };
-    let dimension = Dim::names().find(|known| unit.is_some() && Dim::named(known) == unit);
-    let bounds = if ahead.peek(Token![in]) { " in …" } else { "" };
-    let default = dimension.map(|dimension| (dimension, format!("{default}{bounds}")));
-    let name = format!("{name}{}", in_brackets(indices));
-    wrong(range, GrammarFact::ParameterWithoutDimension { name, default })
-}
-
-/// Refuses `50mm min 10mm max 60mm`.
-fn no_least_and_greatest(input: ParseStream, default: &Expression) -> Parsed<()> {
-    let ahead = input.fork();
-    let mut ends = [None, None];
-    while let Some(place) = keyword(&ahead).and_then(|word| ["min", "max"].iter().position(|known| word == known)) {
-        Ident::parse_any(&ahead)?;
-        ahead.parse::<Option<Token![=]>>()?;
-        ends[place] = Some(expression(&ahead)?.to_string());
-    }
-    if ends == [None, None] {
-        return Ok(());
-    }
-    let [least, greatest] = ends;
-    let is_closed = if greatest.is_some() { "=" } else { "" };
-    let instead = format!("{default} in {}..{is_closed}{}", least.unwrap_or_default(), greatest.unwrap_or_default());
-    wrong(input.span(), GrammarFact::Misspelt { flaw: "bounds stand behind `in`", instead })
-}
-
-/// `input name: Dimension = start;`; without a start it begins at 0.
-fn input_item(input: ParseStream, docs: Docs) -> Parsed<ParameterItem> {
-    Ident::parse_any(input)?;
-    let (name, indices) = declared(input, "the name of the input")?;
-    no_drive(input, &name)?;
-    if input.peek(Token![=]) {
-        return without_dimension(input, (&name, &indices));
-    }
-    let dimension = required_dimension(input)?;
-    let default = if input.peek(Token![=]) {
-        equals(input)?;
-        expression(input)?
-    } else {
-        Expression { kind: ExpressionKind::Number { digits: "0".into(), unit: String::new() }, range: Range::from(&name), depth: 1 }
-    };
-    let limits = if input.peek(Token![in]) { Some(limits(input)?) } else { None };
-    semicolon(input)?;
-    Ok(ParameterItem { docs, name, indices, dimension, default, limits })
-}
-
-/// Refuses `input name = drive_angle(…)`.
-fn no_drive(input: ParseStream, name: &Ident) -> Parsed<()> {
-    let ahead = input.fork();
-    let call = ahead.parse::<Token![=]>().ok().and_then(|_| ahead.parse::<Ident>().ok()).filter(|_| ahead.peek(token::Paren));
-    match call.filter(|call| call.to_string().starts_with("drive_")) {
-        Some(call) => {
-            let is_angle = ["angle", "rotation"].iter().any(|word| call.to_string().contains(word));
-            let dimension = if is_angle { "Angle" } else { "Length" };
-            let instead = format!("input {name}: {dimension}; drive d = {call}(…, {name});");
-            wrong(input.span(), GrammarFact::Misspelt { flaw: "an input is a quantity, which a drive may follow", instead })
-        }
-        None => Ok(()),
-    }
-}
-
-/// `in from..to`, `in from..=to`, or one of them with one end
-fn limits(input: ParseStream) -> Parsed<Limits> {
-    input.parse::<Token![in]>()?;
-    let mut range = Range::from(input.span());
-    let from = if input.peek(Token![..]) { None } else { Some(expression(input)?) };
-    let is_inclusive = input.peek(Token![..=]);
-    if is_inclusive {
-        range = range.to(input.parse::<Token![..=]>()?.spans[2]);
-    } else if input.peek(Token![..]) {
-        range = range.to(input.parse::<Token![..]>()?.spans[1]);
-    } else {
-        if let Some(Expression { kind: ExpressionKind::List(ends), range, .. }) = &from
-            && let [least, greatest] = ends.as_slice()
-        {
-            let instead = format!("in {least}..={greatest}");
-            return wrong(*range, GrammarFact::Misspelt { flaw: "bounds stand on both sides of `..=`", instead });
-        }
-        return expected(input, "`..` or `..=` and the greatest value");
-    }
-    let is_open = input.peek(Token![;]);
-    if is_open && (is_inclusive || from.is_none()) {
-        return expected(input, "the greatest value");
-    }
-    let to = if is_open { None } else { Some(expression(input)?) };
-    let range = to.as_ref().map_or(range, |to| range.to(to.range));
-    Ok(Limits { from, to, is_inclusive, range })
-}
-
 /// `gravity = (x, y);`
 fn gravity(input: ParseStream) -> Parsed<Gravity> {
     let keyword = Ident::parse_any(input)?;
@@ -511,42 +395,4 @@ fn times(input: ParseStream) -> Parsed<TimeRange> {
     }
     semicolon(input)?;
     Ok(TimeRange { keyword, limits })
-}
-
-/// Parses a single function with its doc comment.
-pub(super) fn single_function(input: ParseStream, diag: &mut Diag) -> Option<FunctionItem> {
-    report(docs(input).and_then(|_| function(input)), diag)
-}
-
-/// `function name(argument: Dimension) -> Dimension = value;`
-fn function(input: ParseStream) -> Parsed<FunctionItem> {
-    Ident::parse_any(input)?;
-    let name = name(input, "the name of the function")?;
-    if !input.peek(token::Paren) {
-        return expected(input, "`(argument: Dimension)`");
-    }
-    let (content, _) = parentheses(input)?;
-    let argument = content.cursor().token_stream().to_string().replace(" :", ":");
-    let is_named = content.peek2(Token![:]) && !content.peek2(Token![::]);
-    let own = if is_named { Some(self::name(&content, "the name of the argument")?) } else { None };
-    let from = if is_named { required_dimension(&content)? } else { dimension(&content)? };
-    if !content.is_empty() {
-        return wrong(content.span(), GrammarFact::OneArgument);
-    }
-    if input.peek(Token![=]) && !input.peek(Token![==]) {
-        let range = input.span();
-        equals(input)?;
-        let value = expression(input)?.to_string();
-        let has_unit = value.as_bytes().windows(2).any(|pair| pair[0].is_ascii_digit() && pair[1].is_ascii_alphabetic());
-        let formal = match (is_named, Dim::named(&argument)) {
-            (true, _) => argument,
-            (false, None) => format!("{argument}: Number"),
-            (false, Some(_)) => format!("x: {argument}"),
-        };
-        let instead = format!("function {name}({formal}) -> {} = {value};", if has_unit { "…" } else { "Number" });
-        return wrong(range, GrammarFact::Misspelt { flaw: "a function has the dimensions of its argument and of its value", instead });
-    }
-    let to = dimension_of_value(input)?;
-    let value = value(input, format_args!("function {name}({argument}) -> …"))?;
-    Ok(FunctionItem { name, argument: own, from, to, value })
 }

@@ -12,10 +12,12 @@ mod dimension;
 mod export;
 mod expression;
 mod frame;
+mod function;
 mod item;
 mod joint;
 mod options;
 mod output;
+mod parameter;
 mod repeated;
 mod salvage;
 mod slip;
@@ -83,7 +85,7 @@ pub(crate) fn parse_definition(tokens: TokenStream, diag: &mut Diag) -> Option<D
 
 /// Parses a function of the library.
 pub(crate) fn parse_function(tokens: TokenStream, diag: &mut Diag) -> Option<FunctionItem> {
-    run(tokens, diag, item::single_function)
+    run(tokens, diag, function::single_function)
 }
 
 /// Parses a formula of the compiler's own.
