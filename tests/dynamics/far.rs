@@ -171,7 +171,7 @@ fn leads_and_radii_may_have_either_sign() {
     }
     let mirrored = |radius: f64| Racked { radius }.initial_state().unwrap_or_else(|stopped| panic!("{radius} m: {stopped}"));
     let declared = mirrored(0.03);
-    for radius in [-0.03, -0.01, -3.0] {
+    for radius in [-0.03, -3.0, -0.01].into_iter().take(samples(2, 3)) {
         let state = mirrored(radius);
         let right = [-0.01 / radius, -1.0 / radius];
         assert!((state.pinion().angle - right[0]).abs() <= 1e-13 * right[0].abs(), "{radius} m: {}", state.pinion().angle);

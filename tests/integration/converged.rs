@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use reuleaux::{Cause, mechanism};
+use reuleaux_tests::samples;
 
 mechanism! {
     /// An arm of 1 m that is pushed towards the pivot of its push rod, 1 m from its own.
@@ -128,7 +129,7 @@ fn rate_of_toggle([a, b, x]: [f64; 3]) -> f64 {
 fn a_toggle_has_its_rate_or_none() {
     let mut random = fastrand::Rng::with_seed(10);
     for digits in 20..=68 {
-        for _ in 0..12 {
+        for _ in 0..samples(4, 12) {
             let [one_length, other_length] = [0.5 + random.f64(), 0.5 + random.f64()];
             let reach = one_length + other_length - (1.0 + random.f64()) * 0.1f64.powf(f64::from(digits) / 4.0);
             let right = rate_of_toggle([one_length, other_length, reach]);

@@ -155,8 +155,8 @@ meets_vanishing_pivots! {
     in_a_block_of_four_angles: Triad (bar_1_length, bar_2_length, bar_3_length), 4 unknowns, seed 1;
     in_a_block_of_five: ThreePlates (rod_1, rod_2, rod_3, rod_4, rod_5), 5 unknowns, seed 2;
     in_a_block_of_six: FourPlates (rod_1, rod_2, rod_3, rod_4, rod_5, rod_6), 6 unknowns, seed 1;
-    in_a_block_of_six_angles: DoubleTriad (bar_1_length, bar_2_length, bar_3_length, bar_4_length), 6 unknowns, seed 3;
-    in_a_block_of_eight: SixPlates (rod_1, rod_2, rod_3, rod_4, rod_5, rod_6, rod_7, rod_8), 8 unknowns, seed 6;
+    in_a_block_of_six_angles: DoubleTriad (bar_1_length, bar_2_length, bar_3_length, bar_4_length), 6 unknowns, seed 19;
+    in_a_block_of_eight: SixPlates (rod_1, rod_2, rod_3, rod_4, rod_5, rod_6, rod_7, rod_8), 8 unknowns, seed 4;
     in_a_block_of_twelve: TenPlates (rod_1, rod_2, rod_3, rod_4, rod_5, rod_6, rod_7, rod_8, rod_9, rod_10, rod_11, rod_12),
         12 unknowns, seed 12;
 }
