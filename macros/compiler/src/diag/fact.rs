@@ -216,7 +216,7 @@ pub enum ValueFact {
     MeansSpace { name: String, is_component: bool },
     OnlyInSpace { word: String, typed: Option<Typed> },
     OnlyInPlane { word: String, typed: Option<Typed> },
-    AlongItsAxis { name: String },
+    AlongItsAxis { name: String, is_along_x: bool },
     VectorAndNumber { in_space: bool },
     VectorTimesVector,
     NumberByVector,

@@ -194,6 +194,28 @@ impl fmt::Display for Doubt {
             Doubt::NegativeCoefficient { written, .. } => {
                 write!(f, "`{written}` pushes away from rest\nhelp: take the minus away, or name the number with `let` if it is meant")
             }
+            Doubt::NegativeRest { written } => {
+                write!(
+                    f,
+                    "`{written}` is a length that no spring has\nhelp: take the minus away, or name the number with `let` if it is meant"
+                )
+            }
+            Doubt::RiseOfOne { written } => {
+                write!(
+                    f,
+                    "`{written}` leads from 0 to 1, and as an angle to 1 rad\nhelp: write `90deg * {written}` for a quarter of a turn"
+                )
+            }
+            Doubt::NumberAsPhase { written, gears } => {
+                write!(f, "`{written}` is `c` of `{gears}`, the angle in which the gears mesh at the start, and no size of a gear")?;
+                write!(f, "\nhelp: take it away: two sizes belong to `{gears}`, and pressure angles do not matter; or write `c: {written}`")
+            }
+            Doubt::PercentageOfFriction { written, instead } => {
+                write!(f, "a coefficient of friction of {written} is hardly met\nhelp: write `{instead}` for {written} per cent")
+            }
+            Doubt::GravityUpwards { written } => {
+                write!(f, "gravity points upwards here\nhelp: write `-{written}`, or name the number with `let` if it is meant")
+            }
             Doubt::TurnsAsSpeed { written, in_rpm } => {
                 write!(
                     f,

@@ -160,7 +160,7 @@ pub(super) fn of_dimension(wanted: Dim, found: Dim) -> &'static str {
             "\nhelp: for a given force write `force name = actuator(P, Q, F);`, and for the motion `freedom name = …;`"
         }
         (Dim::TORQUE, found) if Dim::ANGLE == found.times(Dim::TIME) => {
-            "\nhelp: a speed is driven by its integral: write `drive name = drive_angle(body, 60rpm * t);`, in space `drive_rotation(joint, 60rpm * t)`"
+            "\nhelp: a speed is driven by its integral: write `drive name = drive_angle(body, 60rpm * t);`, in space `drive_rotation(joint, 60rpm * t)`; a torque that resists it has a damping, `-0.1Nms_rad * …`"
         }
         (Dim::FORCE, found) if Dim::LENGTH == found.times(Dim::TIME) => {
             "\nhelp: a speed is driven by its integral: write `drive name = drive_distance(P, Q, 100mm + 10mm_s * t);`"
@@ -172,13 +172,16 @@ pub(super) fn of_dimension(wanted: Dim, found: Dim) -> &'static str {
             "\nhelp: a drag grows with the square of the speed; what grows with the speed is a `damper`"
         }
         (Dim::ANGLE, found) if Dim::ANGLE.times(Dim::TIME) == found => {
-            "\nhelp: what `t^2` multiplies is an acceleration, such as `2rad_s2`"
+            "\nhelp: an angle is driven without `t`, a rate is multiplied by `t`, an acceleration such as `2rad_s2` by `t^2`"
         }
         (Dim::LENGTH, found) if Dim::LENGTH.times(Dim::TIME) == found => {
-            "\nhelp: what `t^2` multiplies is an acceleration, such as `2mm_s2`"
+            "\nhelp: a length is driven without `t`, a rate is multiplied by `t`, an acceleration such as `2mm_s2` by `t^2`"
         }
         (wanted, Dim::ANGLE) if wanted.times(Dim::TIME) == found => "\nhelp: write a rate, such as `2rad_s`",
         (wanted, Dim::LENGTH) if wanted.times(Dim::TIME) == found => "\nhelp: write a rate, such as `2mm_s`",
+        (wanted, found) if wanted == Dim::LENGTH.per(Dim::TIME) && found == Dim::ANGLE.per(Dim::TIME) => {
+            "\nhelp: a speed of turning is an `AngularVelocity`"
+        }
         (wanted, _) => example(wanted),
     }
 }
@@ -207,7 +210,7 @@ pub(super) fn of_function(wanted: Dim, found: Dim) -> &'static str {
 
 /// For two quantities with different dimensions.
 pub(super) fn of_dimensions(one: Dim, two: Dim) -> &'static str {
-    let is_grown = |of: Dim, grown: Dim| [Dim::LENGTH, Dim::ANGLE].contains(&of) && of.times(Dim::TIME) == grown;
+    let is_grown = |of: Dim, grown: Dim| [Dim::LENGTH, Dim::ANGLE, Dim::FORCE, Dim::TORQUE].contains(&of) && of.times(Dim::TIME) == grown;
     if is_grown(one, two) || is_grown(two, one) {
         return "\nhelp: `t` multiplies a rate: divide by a time, as in `stroke / 1s * t`";
     }

@@ -133,6 +133,35 @@ pub enum Doubt {
         /// True for a damping.
         is_damping: bool,
     },
+    /// A negative length of a spring without load.
+    NegativeRest {
+        /// The length as written.
+        written: String,
+    },
+    /// A law from 0 to 1 as the law of an angle.
+    RiseOfOne {
+        /// The law as written.
+        written: String,
+    },
+    /// A number in the place of the angle in which gears mesh.
+    NumberAsPhase {
+        /// The number as written.
+        written: String,
+        /// The constraint.
+        gears: String,
+    },
+    /// A percentage as a coefficient of friction.
+    PercentageOfFriction {
+        /// The number as written.
+        written: String,
+        /// The number as it may be written.
+        instead: String,
+    },
+    /// Free fall as on earth that points upwards.
+    GravityUpwards {
+        /// The component as written.
+        written: String,
+    },
     /// A number by a time as an angular velocity.
     TurnsAsSpeed {
         /// The quotient as written.
@@ -250,6 +279,11 @@ impl Warning {
             Doubt::ShaftsForArms { .. } => "shafts_for_arms",
             Doubt::DiskAcross { .. } => "disk_across",
             Doubt::NegativeCoefficient { .. } => "negative_coefficient",
+            Doubt::NegativeRest { .. } => "negative_rest",
+            Doubt::RiseOfOne { .. } => "rise_of_one",
+            Doubt::NumberAsPhase { .. } => "number_as_phase",
+            Doubt::PercentageOfFriction { .. } => "percentage_of_friction",
+            Doubt::GravityUpwards { .. } => "gravity_upwards",
             Doubt::TurnsAsSpeed { .. } => "turns_as_speed",
             Doubt::PeriodsAsAngle { .. } => "periods_as_angle",
             Doubt::PointCalledCenter { .. } => "point_called_center",

@@ -22,6 +22,7 @@ mod gather;
 mod jet;
 mod lookup;
 mod node;
+mod power;
 mod precise;
 mod reached;
 mod show;

@@ -1,6 +1,7 @@
 //! Warnings about valid expressions that are often meant otherwise: powers of numbers with units, frequencies and periods as angles, inputs by the
-//! time, negative stiffnesses, free fall in other units, and free fall where nothing has a mass.
+//! time, free fall in other units or upwards, and free fall where nothing has a mass.
 
+use super::arguments::doubtful_arguments;
 use crate::diag::{Doubt, Range, Warning, quantity as in_words};
 use crate::quantity::{self, Dim};
 use crate::syntax::ast::{Argument, Expression, ExpressionKind, Item, JointBody, Mechanism, Operator, Statement, every_item};
@@ -8,6 +9,10 @@ use std::collections::BTreeSet;
 
 /// Free fall that is slower or faster than this (m/s²) was rather meant in millimetres.
 const USUAL: [f64; 2] = [0.02, 100.0];
+
+/// Laws from 0 to 1.
+const LAWS: [&str; 8] =
+    ["linear", "harmonic", "cycloidal", "modified_sine", "modified_trapezoidal", "polynomial_345", "polynomial_4567", "smooth_step"];
 
 /// Names of quantities that make a product with `t` doubtful.
 struct Suspects {
@@ -44,11 +49,11 @@ pub(crate) fn doubtful_expressions(tree: &Mechanism) -> Vec<Warning> {
         let at_top = written_in(item);
         at_top.iter().for_each(|value| value.each(&mut |part| found.extend(names.doubt(part))));
         found.extend(names.turns_driven(item));
-        found.extend(negative_coefficients(item));
         found.extend(degrees_in_output(item));
-        found.extend(swapped_carrier(item));
+        found.extend(doubtful_arguments(item));
         if let Item::Gravity(gravity) = item {
             found.extend(unusual_gravity(&gravity.value));
+            found.extend(gravity_upwards(&gravity.value));
             let without_mass = Warning { doubt: Doubt::GravityWithoutMass, range: gravity.value.range };
             found.extend(is_massless(&tree.items).then_some(without_mass));
         }
@@ -130,21 +135,32 @@ impl Suspects {
         let written = law.to_string();
         let doubt = match self.by_period(law) {
             Some(instead) => Doubt::PeriodsAsAngle { written, instead },
-            None => by_time(law, &self.frequencies).map(|_| Doubt::TurnsAsAngle { written })?,
+            None if by_time(law, &self.frequencies).is_some() => Doubt::TurnsAsAngle { written },
+            None => match &law.kind {
+                ExpressionKind::Call(rise, arguments) if LAWS.iter().any(|law| rise.last == law) && arguments.len() == 1 => {
+                    Doubt::RiseOfOne { written }
+                }
+                _ => return None,
+            },
         };
         Some(Warning { doubt, range: law.range })
     }
 
-    /// `t / T` and `360 * t / T` with an angle in front.
+    /// `t / T` and `360 * t / T` with an angle in front, `3000 * t / 60s` with an angular velocity.
     fn by_period(&self, law: &Expression) -> Option<String> {
-        let ExpressionKind::Binary(Operator::Div, above, period) = &law.kind else { return None };
-        let period = period.name().map(ToString::to_string).filter(|name| self.periods.contains(name))?;
+        let ExpressionKind::Binary(Operator::Div, above, below) = &law.kind else { return None };
+        let period = below.to_string();
+        let is_known = below.name().is_some_and(|name| self.periods.contains(&name.to_string()));
+        // `t / 1s` is a number of seconds.
+        let is_written = matches!(&below.kind, ExpressionKind::Number { unit, digits } if digits != "1" && quantity::unit(unit).is_some_and(|unit| unit.1 == Dim::TIME));
+        let is_minute = ["60s", "1min"].contains(&period.as_str());
         let is_time = |value: &Expression| value.name().is_some_and(|name| name == "t");
         match &above.kind {
-            _ if is_time(above) => Some(format!("1turn * t / {period}")),
+            _ if is_time(above) => (is_known || is_written).then(|| format!("1turn * t / {period}")),
             ExpressionKind::Binary(Operator::Mul, factor, time) if is_time(time) => match &factor.kind {
+                ExpressionKind::Number { digits, unit } if unit.is_empty() && is_minute => Some(format!("{digits}rpm * t")),
                 ExpressionKind::Number { digits, unit } if unit.is_empty() && ["90", "180", "360"].contains(&digits.as_str()) => {
-                    Some(format!("{digits}deg * t / {period}"))
+                    (is_known || is_written || period == "1s").then(|| format!("{digits}deg * t / {period}"))
                 }
                 _ => None,
             },
@@ -209,42 +225,6 @@ fn is_angle(value: &Expression) -> bool {
     }
 }
 
-/// Doubts a planetary train whose carrier is given as its ring gear.
-fn swapped_carrier(item: &Item) -> Option<Warning> {
-    let Item::Joint(joint) = item else { return None };
-    let JointBody::Of { kind, arguments } = &joint.body else { return None };
-    let [sun, ring, carrier, ..] = arguments.as_slice() else { return None };
-    let is_called = |argument: &Argument, word: &str, other: &str| {
-        let name = argument.value.to_string();
-        argument.name.is_none() && name.contains(word) && !name.contains(other) && !name.contains("spring")
-    };
-    if kind != "planetary" || !is_called(ring, "carrier", "ring") || !is_called(carrier, "ring", "carrier") {
-        return None;
-    }
-    let instead = format!("planetary({}, {}, {}, …)", sun.value, carrier.value, ring.value);
-    Some(Warning { doubt: Doubt::CarrierAsRing { carrier: ring.value.to_string(), instead }, range: ring.value.range })
-}
-
-/// Doubts negative stiffnesses and dampings that are written out.
-fn negative_coefficients(item: &Item) -> Vec<Warning> {
-    const WITH_COEFFICIENTS: [&str; 6] = ["spring", "damper", "spring_damper", "torsion_spring", "torsion_damper", "torsion_spring_damper"];
-    let Item::Force(force) = item else { return Vec::new() };
-    let JointBody::Of { kind, arguments } = &force.body else { return Vec::new() };
-    if !WITH_COEFFICIENTS.iter().any(|known| kind == known) {
-        return Vec::new();
-    }
-    let doubt = |argument: &Argument| {
-        let ExpressionKind::Negative(value) = &argument.value.kind else { return None };
-        let ExpressionKind::Number { unit, .. } = &value.kind else { return None };
-        let dim = quantity::unit(unit)?.1;
-        let is_stiffness = [Dim::FORCE.per(Dim::LENGTH), Dim::TORQUE.per(Dim::ANGLE)].contains(&dim);
-        let is_damping = [Dim::FORCE.per(Dim::LENGTH).times(Dim::TIME), Dim::TORQUE.per(Dim::ANGLE).times(Dim::TIME)].contains(&dim);
-        let doubt = Doubt::NegativeCoefficient { written: argument.value.to_string(), is_damping };
-        (is_stiffness || is_damping).then_some(Warning { doubt, range: argument.value.range })
-    };
-    arguments.iter().filter_map(doubt).collect()
-}
-
 /// Doubts free fall that is written out and that is much slower or faster than on earth.
 fn unusual_gravity(value: &Expression) -> Option<Warning> {
     let ExpressionKind::Tuple(parts) = &value.kind else { return None };
@@ -261,6 +241,23 @@ fn unusual_gravity(value: &Expression) -> Option<Warning> {
     let found = in_words(size, Dim::ACCELERATION);
     let is_unusual = size > 0.0 && !(USUAL[0]..=USUAL[1]).contains(&size);
     is_unusual.then_some(Warning { doubt: Doubt::UnusualGravity { found }, range: value.range })
+}
+
+/// Doubts free fall as on earth along y or z, where it points upwards.
+fn gravity_upwards(value: &Expression) -> Option<Warning> {
+    let ExpressionKind::Tuple(parts) = &value.kind else { return None };
+    let size = |part: &Expression| match &part.kind {
+        ExpressionKind::Number { digits, unit } => {
+            Some(digits.parse::<f64>().ok()? * quantity::unit(unit).map_or(1.0, |unit| unit.0.to_f64()))
+        }
+        _ => None,
+    };
+    let sizes: Vec<f64> = parts.iter().map(size).collect::<Option<_>>()?;
+    let (first, others) = sizes.split_first()?;
+    let is_upwards =
+        *first == 0.0 && others.iter().all(|size| *size == 0.0 || (9.7..9.9).contains(size)) && others.iter().any(|size| *size > 0.0);
+    let written = parts.iter().zip(&sizes).find(|(_, size)| **size > 0.0)?.0.to_string();
+    is_upwards.then_some(Warning { doubt: Doubt::GravityUpwards { written }, range: value.range })
 }
 
 /// Doubts `20mm^2`, which is (20 mm)².

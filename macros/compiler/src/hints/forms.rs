@@ -71,16 +71,40 @@ pub(crate) fn by_law(name: &Ident, arguments: &[Expression]) -> Option<String> {
         _ => return None,
     };
     let [variable, from, low, to, high] = arguments else { return None };
-    let is_time = variable.name().is_some_and(|name| name == "t");
+    let is_time = variable.name().is_some_and(|name| ["t", "time"].contains(&name.to_string().to_lowercase().as_str()));
+    let variable = if is_time { "t".to_owned() } else { as_operand(variable) };
     let end = |value: &Expression| format!("{}{}", as_operand(value), if is_time && is_bare(value) { "s" } else { "" });
     let share = match is_zero(from) {
-        true => format!("{} / {}", as_factor(variable), end(to)),
+        true => format!("{variable} / {}", end(to)),
         false => format!("({variable} - {}) / ({} - {})", end(from), end(to), end(from)),
     };
     Some(match is_zero(low) {
-        true => format!("{} * {law}({share})", as_factor(high)),
+        true => format!("{} * {law}({share})", in_degrees(high).unwrap_or_else(|| as_factor(high))),
         false => format!("{low} + ({high} - {}) * {law}({share})", as_operand(low)),
     })
+}
+
+/// The first point of a body in an expression: `body.P`, or `body.position` of a coordinate.
+pub(crate) fn place_in(value: &Expression) -> Option<String> {
+    let mut found = None;
+    value.each(&mut |part| {
+        if let ExpressionKind::Field(owner, name) = &part.kind
+            && let Some(body) = owner.name().filter(|body| *body != "ground")
+            && found.is_none()
+        {
+            let is_point = !["x", "y", "z", "angle", "angular_velocity", "orientation"].iter().any(|word| name == word);
+            found = Some(if is_point { format!("{body}.{name}") } else { format!("{body}.position") });
+        }
+    });
+    found
+}
+
+/// `90d`, an angle in Adams.
+fn in_degrees(value: &Expression) -> Option<String> {
+    match &value.kind {
+        ExpressionKind::Number { digits, unit } if unit == "d" || unit == "D" => Some(format!("{digits}deg")),
+        _ => None,
+    }
 }
 
 /// A value on the left of a product or a quotient.

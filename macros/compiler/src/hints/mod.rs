@@ -6,6 +6,7 @@
 
 mod ambient;
 mod angles;
+mod arguments;
 mod bare;
 mod doubts;
 mod forms;
@@ -21,7 +22,7 @@ pub(crate) use bare::BareNumbers;
 pub(crate) use doubts::doubtful_expressions;
 pub(crate) use forms::{
     argument_of, by_law, by_time, by_turns, cross_product, decimal_comma, gain, in_millimetres, in_words, is_bare, is_measured, is_zero,
-    noted, orientation_of, place_of_argument, unit_in_parts, with_bare_bounds, with_rate, with_time_too_much, without_time,
+    noted, orientation_of, place_in, place_of_argument, unit_in_parts, with_bare_bounds, with_rate, with_time_too_much, without_time,
 };
 pub(crate) use generated::{is_generated, is_of_generated_type};
 pub(crate) use outputs::{OutputKind, derivatives, output_kind};

@@ -3,7 +3,7 @@
 use super::Components;
 use super::elaborate::Elaborator;
 use crate::diag::{ArrayFact, Range, ValueFact, Wanted};
-use crate::expr::{Exact, Expr, Unary};
+use crate::expr::{Exact, Expr};
 use crate::hints::{decimal_comma, gain, in_millimetres, is_measured, noted, with_time_too_much};
 use crate::names::{Scalar, Scope, Value, Vector, misread_height};
 use crate::quantity::{Ambient, Dim, InferredDim};
@@ -225,7 +225,7 @@ impl Elaborator<'_> {
         Some(Vector { parts: Components::new(&parts)?, measure: combined.first()?.measure })
     }
 
-    /// Builds a power: multiplications for a whole exponent, a power of the square root for a half-integer, exp and ln otherwise.
+    /// Builds a power of a number, or of a quantity with an exponent that its dimension allows.
     fn power(&mut self, range: Range, base: &ast::Expression, exponent: &ast::Expression, scope: &Scope) -> Option<Scalar> {
         let (one, two) = (self.scalar(base, scope), self.scalar(exponent, scope));
         let (one, two) = (one?, two?);
@@ -233,8 +233,8 @@ impl Elaborator<'_> {
             return self.refuse(exponent.range, ValueFact::WrongDimension { wanted: Dim::NUMBER, found: two.measure.settled() });
         }
         let constant = self.arena.as_constant(two.expr).map(Exact::to_f64);
-        let whole_multiple_of = |unit: f64| constant.map(|value| value * unit).filter(|value| value.fract() == 0.0);
-        let sixths = whole_multiple_of(6.0).filter(|value| value.abs() <= f64::from(i16::MAX)).map(|value| value as i16);
+        let sixths = constant.map(|value| 6.0 * value).filter(|value| value.fract() == 0.0 && value.abs() <= f64::from(i16::MAX));
+        let sixths = sixths.map(|value| value as i16);
         let measure = match one.measure {
             InferredDim::Known(base) if base != Dim::NUMBER => sixths.and_then(|sixths| one.measure.power(sixths)),
             plain => Some(plain),
@@ -242,33 +242,8 @@ impl Elaborator<'_> {
         let Some(measure) = measure else {
             return self.refuse(range, ValueFact::PowerOfDimension { base: one.measure.settled() });
         };
-        let halves = whole_multiple_of(2.0).filter(|value| value.abs() <= f64::from(i32::MAX)).map(|value| value as i32);
-        let expr = match halves {
-            Some(halves) if halves % 2 == 0 => self.arena.power(one.expr, halves / 2),
-            Some(halves) => {
-                let root = self.arena.sqrt(one.expr);
-                self.arena.power(root, halves)
-            }
-            None => {
-                let logarithm = self.arena.unary(Unary::Ln, one.expr);
-                let product = self.arena.mul(two.expr, logarithm);
-                self.arena.unary(Unary::Exp, product)
-            }
-        };
-        let is_smooth_at_zero = constant.is_some_and(|exponent| exponent > 2.0 && exponent.fract() != 0.0);
-        let is_constant = self.arena.as_constant(one.expr).is_some();
-        let expr = if is_smooth_at_zero && !is_constant { self.with_zero(one.expr, expr) } else { expr };
+        let expr = self.arena.real_power(one.expr, two.expr);
         Some(Scalar { expr, measure })
-    }
-
-    /// Extends a fractional power above the second to the base 0. There it vanishes with its first two derivatives, but its formula
-    /// with roots or logarithms is singular. Below 0 neither it nor its first three derivatives have a value: acos −2 is none.
-    fn with_zero(&mut self, base: Expr, power: Expr) -> Expr {
-        let (zero, sign, cube) = (self.arena.integer(0), self.arena.unary(Unary::Sign, base), self.arena.power(base, 3));
-        let twice = self.arena.add(sign, sign);
-        let angle = self.arena.unary(Unary::Acos, twice);
-        let otherwise = self.arena.mul(cube, angle);
-        self.arena.select(zero, base, power, otherwise)
     }
 
     pub(super) fn choice(

@@ -79,7 +79,10 @@ impl Elaborator<'_> {
     /// Initial values, zero if none are written.
     fn initial(&mut self, written: Option<&ast::Expression>, of: &[Scalar], measure: InferredDim, scope: &Scope) -> Option<Vec<Expr>> {
         let Some(written) = written else { return Some(vec![self.arena.integer(0); of.len()]) };
-        let found = self.quantities(written, scope)?;
+        let (found, wanted) = (self.quantities(written, scope)?, measure.settled());
+        if wanted != Dim::ANGLE {
+            self.bare.note(written, wanted);
+        }
         if found.len() != of.len() {
             let (wanted, found) = if of.len() == 1 { (Wanted::Number, Kind::Vector) } else { (Wanted::Vector, Kind::Number) };
             return self.not_a(written.range, wanted, found);

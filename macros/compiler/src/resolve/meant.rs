@@ -5,7 +5,7 @@ use super::Joint;
 use super::elaborate::Elaborator;
 use super::statement::ScalarEquation;
 use crate::diag::{EquationFact, JerkObstacle, JointValue, MotionFact, ValueFact, Word};
-use crate::hints::{by_time, cross_product, is_zero, unit_in_parts};
+use crate::hints::{by_time, cross_product, is_zero, place_in, unit_in_parts};
 use crate::library;
 use crate::names::{FrameId, Register, Scope, Sort, SpaceId, Value};
 use crate::quantity::{self, Ambient, Dim};
@@ -55,9 +55,11 @@ impl Elaborator<'_> {
         let is_torque = dim.agrees(Dim::TORQUE);
         let fact = match word {
             Word::Force => {
-                let body = self.names.frames.get(1).map_or("body", |frame| frame.name.as_str());
+                let first = self.names.frames.get(1).map_or("body", |frame| frame.name.as_str());
+                let place = place_in(written).unwrap_or_else(|| format!("{first}.position"));
+                let body = place.split_once('.').map_or(first, |(body, _)| body);
                 let instead = match (&found, is_torque, self.names.ambient) {
-                    (Value::Vector(_), ..) => format!("force {name} = {{ at {body}.position: {value}; }}"),
+                    (Value::Vector(_), ..) => format!("force {name} = {{ at {place}: {value}; }}"),
                     (_, true, Ambient::Plane) => format!("force {name} = {{ on {body}: {value}; }}"),
                     (_, true, Ambient::Space) => format!("force {name} = {{ on {body}: (0Nm, 0Nm, {value}); }}"),
                     (_, _, Ambient::Plane) => format!("force {name} = {{ at {body}.position: (0N, {value}); }}"),

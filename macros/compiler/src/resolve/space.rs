@@ -55,7 +55,9 @@ impl Elaborator<'_> {
         }
         let normal = cross(&mut self.arena, one, two);
         if normal.iter().all(|part| self.arena.as_constant(*part).is_some_and(|value| value.is_zero())) {
-            return self.refuse(written.range, ValueFact::AlongItsAxis { name: mark.name.to_string() });
+            let is_zero = |part: &Expr| self.arena.as_constant(*part).is_some_and(|value| value.is_zero());
+            let is_along_x = one[1..].iter().all(is_zero);
+            return self.refuse(written.range, ValueFact::AlongItsAxis { name: mark.name.to_string(), is_along_x });
         }
         Some(Some(zero))
     }

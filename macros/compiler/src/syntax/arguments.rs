@@ -21,8 +21,13 @@ pub(super) fn arguments(input: ParseStream) -> Parsed<Vec<Argument>> {
 /// `value` or `name: value`
 fn argument(input: ParseStream) -> Parsed<Argument> {
     let is_named = input.peek(syn::Ident) && input.peek2(Token![:]) && !input.peek2(Token![::]);
-    if input.peek(syn::Ident) && input.peek2(Token![=]) && !input.peek2(Token![==]) {
+    if input.peek(syn::Ident) && (input.peek2(Token![=]) || input.peek2(Token![=>])) && !input.peek2(Token![==]) {
         let name = name(input, "the name of the argument")?;
+        if input.peek(Token![=>]) {
+            let arrow = input.parse::<Token![=>]>()?;
+            let instead = expression(input)?.to_string();
+            return wrong(arrow.spans[0], GrammarFact::Misspelt { flaw: "a law is an expression of `t`, not a closure", instead });
+        }
         return wrong(input.span(), GrammarFact::ArgumentByEquals { name: name.to_string() });
     }
     if !is_named {

@@ -12,8 +12,8 @@
 
 use super::ast::{Expression, ExpressionKind, Operator, Path, Relation};
 use super::slip::{
-    closure, each_index_by_itself, no_brackets, no_choice_behind, no_common_unit, no_constant, no_parentheses, no_percentage, no_quotation,
-    no_self, no_unit_raised, without_module,
+    each_index_by_itself, no_brackets, no_choice_behind, no_closure, no_common_unit, no_constant, no_parentheses, no_percentage,
+    no_quotation, no_reference, no_self, no_truth, no_unit_raised, without_module,
 };
 use super::tokens::{
     Parsed, braces, brackets, equals, expected, is_path, keyword, literal, name, next, parentheses, path, semicolon, wrong,
@@ -259,10 +259,8 @@ fn atom(input: ParseStream, room: u16) -> Parsed<Expression> {
         let range = path.range;
         return node(ExpressionKind::Path(path), range);
     }
-    if let Some(instead) = closure(input).and_then(|inside| sum(&inside, room).ok()) {
-        let instead = instead.to_string();
-        return wrong(input.span(), GrammarFact::Misspelt { flaw: "a law is an expression of `t`, not a closure", instead });
-    }
+    no_closure(input, room)?;
+    no_reference(input, room)?;
     if input.peek(Token![return]) {
         return wrong(input.span(), GrammarFact::Return { is_segment: input.peek2(token::Paren) });
     }
@@ -359,6 +357,7 @@ pub(super) fn list(content: ParseStream, room: u16) -> Parsed<Vec<Expression>> {
             break;
         }
         if !content.peek(Token![,]) {
+            no_truth(content)?;
             return expected(content, "`,` or the end of the list");
         }
         content.parse::<Token![,]>()?;
@@ -367,17 +366,21 @@ pub(super) fn list(content: ParseStream, room: u16) -> Parsed<Vec<Expression>> {
 }
 
 /// Refuses `(a: x, b: y)`.
-fn without_names<T>(content: ParseStream, mut items: Vec<Expression>, room: u16) -> Parsed<T> {
+fn without_names<T>(content: ParseStream, items: Vec<Expression>, room: u16) -> Parsed<T> {
     let first = content.span();
+    let mut items: Vec<String> = items.iter().map(ToString::to_string).collect();
     while !content.is_empty() {
+        let mut is_diameter = false;
         if content.peek2(Token![:]) {
-            name(content, "a name")?;
+            let name = name(content, "a name")?.to_string();
+            is_diameter = ["d", "D", "diameter"].contains(&name.as_str());
             content.parse::<Token![:]>()?;
         }
-        items.push(sum(content, room)?);
+        let item = sum(content, room)?;
+        // A shape takes its radius.
+        items.push(if is_diameter { format!("{item} / 2") } else { item.to_string() });
         content.parse::<Option<Token![,]>>()?;
     }
-    let items: Vec<String> = items.iter().map(ToString::to_string).collect();
     wrong(first, GrammarFact::Misspelt { flaw: "values in parentheses have no names here", instead: format!("({})", items.join(", ")) })
 }
 

@@ -21,7 +21,7 @@ use super::tokens::{
 };
 use crate::diag::{ArrayFact, Diag, GrammarFact, ValueFact, Word};
 use crate::quantity::{self, Ambient, Dim};
-use crate::words::{Home, home, is_synonym};
+use crate::words::{Home, home, is_command, is_synonym};
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
@@ -198,7 +198,7 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
         "component" => Item::Component(Shared::new(component(input, docs, Some(place.ambient), diag)?)),
         "part" => Item::Part(Shared::new(part(input, docs)?)),
         "for" => Item::For(Shared::new(repeated_items(input, place.ambient, diag)?)),
-        _ => return unknown_item(input, &keyword, place.ambient),
+        _ => return unknown_item(input, &keyword, place),
     };
     has_indices(&item, place)?;
     Ok(item)
@@ -212,13 +212,24 @@ fn slices_load(input: ParseStream) -> bool {
 }
 
 /// Refuses a word that begins no item. A word of the workshop before braces is a body, before `=` the kind of a joint.
-fn unknown_item<T>(input: ParseStream, keyword: &Ident, ambient: Ambient) -> Parsed<T> {
+fn unknown_item<T>(input: ParseStream, keyword: &Ident, ItemContext { is_top, ambient, .. }: ItemContext) -> Parsed<T> {
     let word = keyword.to_string();
     let rest = input.fork();
     Ident::parse_any(&rest)?;
     let name = rest.parse::<Ident>().ok().map(|name| name.to_string());
     if let (true, Some(name)) = (["point", "axis"].contains(&word.as_str()), &name) {
-        return wrong(keyword, GrammarFact::FeatureOutside { word, name: name.clone() });
+        return wrong(keyword, GrammarFact::FeatureOutside { word, name: name.clone(), is_top });
+    }
+    let sets_solver = rest.peek(Token![=]) && ["solver", "integrator", "method", "tolerance", "simulation"].contains(&word.as_str());
+    if is_command(&word) && name.is_none() && (rest.peek(token::Paren) || sets_solver) {
+        return wrong(keyword, GrammarFact::UnknownItem { word, name, home: None });
+    }
+    if let (Some(name), true) = (&name, rest.peek(token::Paren) && word.starts_with(char::is_uppercase)) {
+        let instead = format!("part {name} = {word}{};", statement_text(&rest)?);
+        return wrong(
+            keyword,
+            GrammarFact::Misspelt { flaw: "a part of a mechanism begins with its kind, and `=` stands behind its name", instead },
+        );
     }
     // A call of a constraint or a force lacks the keyword, and its name or `=`.
     let is_call = if name.is_some() { rest.peek(Token![=]) && rest.peek2(token::Paren) } else { rest.peek(token::Paren) };

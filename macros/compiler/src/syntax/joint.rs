@@ -129,6 +129,14 @@ pub(super) fn freedom(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
 pub(super) fn energy(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
     Ident::parse_any(input)?;
     let (name, indices) = declared(input, "the name of the energy")?;
+    let ahead = input.fork();
+    if ahead.parse::<Option<Token![=]>>()?.is_some() && ahead.peek(token::Brace) {
+        let (content, range) = braces(&ahead)?;
+        if let Ok(value) = expression(&content) {
+            let instead = format!("energy {name} = {value};");
+            return wrong(range, GrammarFact::Misspelt { flaw: "an energy is one value, without braces", instead });
+        }
+    }
     let body = JointBody::Energy(Box::new(value(input, format_args!("energy {name}{}", in_brackets(&indices)))?));
     Ok(JointItem { docs, is_drive: true, is_redundant: false, is_slice: false, velocity: None, name, indices, body })
 }
@@ -155,8 +163,9 @@ fn is_value(input: ParseStream, word: Word) -> bool {
         return !input.is_empty() && !input.peek(Token![;]) && !input.peek(token::Bracket);
     }
     let is_alone = input.peek2(Token![;]);
+    let is_choice = word == Word::Force && input.peek(Token![if]);
     let is_operand = [input.peek2(Token![*]), input.peek2(Token![/]), input.peek2(Token![+]), input.peek2(Token![-])];
-    input.peek2(Token![.]) || input.peek2(Token![^]) || is_operand.contains(&true) || is_alone && word == Word::Force
+    is_choice || input.peek2(Token![.]) || input.peek2(Token![^]) || is_operand.contains(&true) || is_alone && word == Word::Force
 }
 
 /// `value;`, for a message about it, or an equation that lacks its braces.

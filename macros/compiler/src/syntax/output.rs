@@ -1,6 +1,6 @@
 //! Parses outputs.
 
-use super::ast::{Docs, OutputItem};
+use super::ast::{Docs, ExpressionKind, OutputItem};
 use super::expression::{declared, equals_behind, expression, in_brackets};
 
 use super::dimension::dimension;
@@ -23,6 +23,14 @@ pub(super) fn output(input: ParseStream, docs: Docs) -> Parsed<OutputItem> {
     let before = input.fork();
     if !input.peek(syn::Ident) && !input.peek(Token![_]) && expression(&before.fork()).is_ok() {
         let value = expression(&before)?;
+        if let ExpressionKind::List(names) = &value.kind
+            && before.parse::<Option<Token![=]>>()?.is_some()
+            && let ExpressionKind::Tuple(values) | ExpressionKind::List(values) = expression(&before)?.kind
+        {
+            let each = names.iter().zip(&values).map(|(name, value)| format!("output {name} = {value};"));
+            let instead = each.collect::<Vec<_>>().join(" ");
+            return wrong(value.range, GrammarFact::Misspelt { flaw: "every output has a name and a value of its own", instead });
+        }
         return wrong(value.range, GrammarFact::OutputWithoutName { value: value.to_string() });
     }
     let (name, indices) = declared(input, "the name of the output")?;

@@ -111,7 +111,7 @@ pub(super) fn limits(input: ParseStream) -> Parsed<Limits> {
     } else if input.peek(Token![..]) {
         range = range.to(input.parse::<Token![..]>()?.spans[1]);
     } else {
-        if let Some(Expression { kind: ExpressionKind::List(ends), range, .. }) = &from
+        if let Some(Expression { kind: ExpressionKind::List(ends) | ExpressionKind::Tuple(ends), range, .. }) = &from
             && let [least, greatest] = ends.as_slice()
         {
             let instead = format!("in {least}..={greatest}");

@@ -2,7 +2,7 @@
 
 use super::ast::{Expression, ExpressionKind, Path};
 use super::expression::{deeper, is_end, is_unit, list, relation, sum};
-use super::tokens::{Parsed, keyword, parentheses, wrong};
+use super::tokens::{Parsed, braces, keyword, parentheses, wrong};
 use crate::diag::{GrammarFact, Range};
 use crate::quantity;
 use proc_macro2::{Delimiter, TokenTree};
@@ -46,19 +46,63 @@ pub(super) fn no_brackets(input: ParseStream, value: &Expression, digits: &str) 
     wrong(value.range, GrammarFact::Misspelt { flaw: "a unit stands right behind its number, without brackets", instead })
 }
 
-/// The tokens behind `|name|` of a closure, or `@(name)` as in MATLAB; none behind a norm.
-pub(super) fn closure(input: ParseStream<'_>) -> Option<ParseBuffer<'_>> {
+/// The variable of `|name| value`, a closure, or of `@(name) value` as in MATLAB, and the tokens of its value; none of a norm.
+fn closure(input: ParseStream<'_>) -> Option<(String, ParseBuffer<'_>)> {
     let ahead = input.fork();
-    if ahead.peek(Token![@]) {
+    let variable = if ahead.peek(Token![@]) {
         ahead.parse::<Token![@]>().ok()?;
-        parentheses(&ahead).ok()?;
+        parentheses(&ahead).ok()?.0.to_string()
     } else {
         ahead.parse::<Token![|]>().ok()?;
-        ahead.parse::<Ident>().ok()?;
+        let name = ahead.parse::<Ident>().ok()?;
         ahead.parse::<Token![|]>().ok()?;
-    }
+        name.to_string()
+    };
     let begins = ahead.peek(Ident) || ahead.peek(token::Paren) || ahead.peek(Lit);
-    begins.then_some(ahead)
+    begins.then_some((variable, ahead))
+}
+
+/// Refuses `|t| value`.
+pub(super) fn no_closure(input: ParseStream, room: u16) -> Parsed<()> {
+    let Some((variable, inside)) = closure(input) else { return Ok(()) };
+    let Ok(value) = sum(&inside, room) else { return Ok(()) };
+    let (flaw, instead) = match variable.as_str() {
+        "x" | "s" | "d" | "length" | "angle" | "phi" | "theta" | "v" => (
+            "a law of another quantity than `t` is a function, and is given by its name",
+            format!("function law({variable}: Length) -> Force = {value};"),
+        ),
+        _ => ("a law is an expression of `t`, not a closure", value.to_string()),
+    };
+    wrong(input.span(), GrammarFact::Misspelt { flaw, instead })
+}
+
+/// Refuses `&ground.O` and `{100mm, 0mm}`.
+pub(super) fn no_reference(input: ParseStream, room: u16) -> Parsed<()> {
+    let ahead = input.fork();
+    if ahead.parse::<Option<Token![&]>>()?.is_some() {
+        return match sum(&ahead, room) {
+            Ok(value) => wrong(input.span(), GrammarFact::Misspelt { flaw: "nothing is borrowed here", instead: value.to_string() }),
+            Err(_) => Ok(()),
+        };
+    }
+    if !ahead.peek(token::Brace) {
+        return Ok(());
+    }
+    let (content, range) = braces(&ahead)?;
+    match list(&content, room) {
+        Ok(items) if items.len() > 1 => {
+            let items: Vec<String> = items.iter().map(ToString::to_string).collect();
+            let instead = format!("({})", items.join(", "));
+            wrong(range, GrammarFact::Misspelt { flaw: "a vector has parentheses", instead })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Refuses `(a > b) * c`.
+pub(super) fn no_truth(input: ParseStream) -> Parsed<()> {
+    let is_comparison = input.peek(Token![<]) || input.peek(Token![>]);
+    if is_comparison { wrong(input.span(), GrammarFact::ComparisonAsValue) } else { Ok(()) }
 }
 
 /// Refuses `if (a < b) {`, as it is written in C.
@@ -161,6 +205,10 @@ pub(super) fn no_quotation(literal: &Lit) -> Parsed<()> {
         text.starts_with(char::is_alphabetic) && text.chars().all(is_of_names)
     };
     match text.value() {
+        name if [".csv", ".txt", ".dat", ".tsv", ".json"].iter().any(|ending| name.ends_with(ending)) => {
+            let flaw = "files are read by programs: a table has its points here, or is a function of Rust";
+            wrong(literal.span(), GrammarFact::Misspelt { flaw, instead: "table(t, [(0s, 0deg), (1s, 30deg), (2s, 90deg)])".to_owned() })
+        }
         name if is_name(&name) => wrong(literal.span(), GrammarFact::Misspelt { flaw: "names have no quotation marks", instead: name }),
         _ => Ok(()),
     }

@@ -6,7 +6,7 @@ use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 use syn::ext::IdentExt;
 use syn::parse::{ParseBuffer, ParseStream};
-use syn::{LitStr, Token, token};
+use syn::{Lit, LitStr, Token, token};
 
 /// Result of a parser: a value, or an error.
 pub(super) type Parsed<T> = Result<T, Box<Refusal>>;
@@ -98,6 +98,11 @@ pub(super) fn name(input: ParseStream, what: &'static str) -> Parsed<Ident> {
     if input.peek(Ident::peek_any) && !input.peek(Token![_]) {
         let keyword = Ident::parse_any(input)?;
         return wrong(&keyword, GrammarFact::Keyword { word: keyword.to_string() });
+    }
+    if let Ok(Lit::Str(text)) = input.fork().parse::<Lit>()
+        && let Ok(name) = text.parse::<Ident>()
+    {
+        return wrong(text.span(), GrammarFact::Misspelt { flaw: "names have no quotation marks", instead: name.to_string() });
     }
     expected(input, what)
 }

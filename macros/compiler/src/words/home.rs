@@ -19,8 +19,35 @@ pub enum Home {
     Nothing,
 }
 
+/// Words for what is done with a mechanism, in Rust.
+const COMMANDS: [&str; 18] = [
+    "solve",
+    "solver",
+    "simulate",
+    "simulation",
+    "run",
+    "sweep",
+    "time",
+    "step",
+    "plot",
+    "animate",
+    "animation",
+    "integrator",
+    "integrate",
+    "method",
+    "tolerance",
+    "print",
+    "assert",
+    "require",
+];
+
+/// True for a word of what is done with a mechanism.
+pub(crate) fn is_command(word: &str) -> bool {
+    COMMANDS.contains(&word)
+}
+
 /// Words with their equivalents in the plane and in space.
-const HOMES: [(&[&str], Home, Home); 31] = [
+const HOMES: [(&[&str], Home, Home); 32] = [
     (
         &["revolute", "hinge", "pin", "pivot", "rotary", "rotational", "bearing", "connect", "attach"],
         Home::Joint(&["revolute(P, Q)"]),
@@ -58,6 +85,7 @@ const HOMES: [(&[&str], Home, Home); 31] = [
         Home::Joint(&["rack_pinion(pinion, rack, u, origin, R)"]),
         Home::Joint(&["rack_pinion(angle, P, a, Q, radius)"]),
     ),
+    (&["equation", "constraint", "constrain", "equations"], Home::Equation, Home::Equation),
     (&["cam", "follower"], Home::Joint(&["cam_knife(O, F, R)", "cam_roller(O, C, roller, R)", "cam_flat(O, F, n, h)"]), Home::Equation),
     (&["pulley", "belt", "chain", "sprocket"], Home::Joint(&["belt(i, j, a, b)"]), Home::Joint(&["belt(one, two, a, b)"])),
     (&["ball", "ball_joint", "socket", "spherical", "globe"], Home::Joint(&["revolute(P, Q)"]), Home::Joint(&["spherical(P, Q)"])),

@@ -8,5 +8,5 @@ mod suggest;
 pub(crate) use elsewhere::equivalent;
 pub(crate) use functions::foreign;
 pub use home::Home;
-pub(crate) use home::home;
+pub(crate) use home::{home, is_command};
 pub(crate) use suggest::{is_synonym, nearest, nearest_unit, stem, usual_dimension};

@@ -189,7 +189,7 @@ const SYNONYMS: [(&str, &[&str]); 106] = [
     ("stop", &["stopper", "bump_stop", "bumper", "buffer", "end_stop", "hard_stop", "limit"]),
     ("torsion_stop", &["rotational_stop", "rotational_hard_stop", "angular_stop", "angle_stop", "hinge_stop", "joint_stop", "joint_limit"]),
     ("stop_along", &["contact", "impact", "floor", "wall"]),
-    ("smooth_step", &["step", "step5", "smoothstep", "ramp", "heaviside"]),
+    ("smooth_step", &["step", "step5", "smoothstep", "heaviside"]),
     ("harmonic", &["simple_harmonic", "shm"]),
     ("cycloidal", &["cycloid"]),
     ("modified_sine", &["modsine", "mod_sine", "modified_sinusoidal", "modified_sinusoid"]),

@@ -13,7 +13,7 @@ crate::refusals! {
     item output_of_an_array_twice: "output o[0] = 1; output «o»[0] = 2;" => "the name `o[0]` is taken: another output has it\nhelp: choose another name";
     item variable_with_a_taken_name: "for «crank» in 0..2 {}" => "the name `crank` is taken: a body has it\nhelp: choose another name";
     item variable_of_another_loop: "for i in 0..2 { for «i» in 0..2 {} }" => "the name `i` is taken: the variable of another loop has it\nhelp: choose another name";
-    item variable_with_a_meaning: "for «t» in 0..2 {}" => "`t` has a meaning of its own in expressions\nhelp: choose another name";
+    item variable_with_a_meaning: "for «t» in 0..2 {}" => "`t` has a meaning of its own in expressions\nhelp: choose another name, such as `t_1`";
     // Indices and ranges.
     item index_out_of_range: "body b[0] {} body b[1] {} output o = b[«2»].x;" => "there is no `b[2]`\nnote: there are `b[0]` to `b[1]`";
     item index_out_of_range_in_a_loop: "for i in 0..3 { body b[i] {} } for i in 0..3 { joint j[i] = revolute(b[«i + 1»].position, b[0].position); }" => "there is no `b[3]`\nnote: in `j[2]`\nnote: there are `b[0]` to `b[2]`";
@@ -64,7 +64,7 @@ crate::refusals! {
     item component_with_the_name_of_loads: "component «Loads»() {}" => "a component cannot be called `Loads`: a generated type would have that name\nhelp: choose another name";
     item component_with_the_name_of_points: "component «Points»() {}" => "a component cannot be called `Points`: a generated type would have that name\nhelp: choose another name";
     item component_in_a_component: "component Leg() { «component» Foot() {} }" => "`component` stands in the mechanism itself, not in a component or a loop\nhelp: move it out";
-    item ground_in_a_component: "component Leg() { «ground» { } }" => "`ground` stands in the mechanism itself, not in a component or a loop\nhelp: move it out";
+    item ground_in_a_component: "component Leg() { «ground» { } }" => "`ground` stands in the mechanism itself, not in a component or a loop\nhelp: move it out; a component is given its points and axes as parameters, such as `P: Point` and `a: Axis`";
     item parameter_of_a_component_twice: "component Leg(P: Point, «P»: Axis) {}" => "the name `P` is taken: another parameter has it\nhelp: choose another name";
     item kind_is_mistyped: "component Leg(P: «Pint») {}" => "no parameter can take `Pint`\nhelp: did you mean `Point`?";
     item default_before_none: "component Leg(a: Length = 1m, «b»: Length) {}" => "`b` needs a default, since the parameter before it has one\nhelp: put it before those with a default";

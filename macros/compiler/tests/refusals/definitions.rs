@@ -19,7 +19,7 @@ crate::refusals! {
     constraint default_of_another_kind: "constraint c(P: Point, b: Body = «0») { P.x == b.x; }" => "the parameter takes a body, its default is a number";
     constraint default_before_none: "constraint c(a: Length = 0, «P»: Point) { P.x == a; }" => "`P` needs a default, since the parameter before it has one\nhelp: put it before those with a default";
     constraint parameter_twice: "constraint c(P: Point, «P»: Point) { P.x == 0; }" => "the name `P` is taken: another parameter has it\nhelp: choose another name";
-    constraint parameter_with_a_meaning: "constraint c(P: Point, «t»: Length) { P.x == t; }" => "`t` has a meaning of its own in expressions\nhelp: choose another name";
+    constraint parameter_with_a_meaning: "constraint c(P: Point, «t»: Length) { P.x == t; }" => "`t` has a meaning of its own in expressions\nhelp: choose another name, such as `t_1`";
     constraint constraint_twice: "pub constraint c(P: Point) { P.x == 0; } pub constraint «c»(P: Point) { P.y == 0; }" => "the name `c` is taken: another definition has it\nhelp: choose another name";
     constraint constraint_twice_in_a_bundle: "pub bundle all { constraint c(P: Point) { P.x == 0; } constraint «c»(P: Point) { P.y == 0; } }" => "the name `c` is taken: another definition has it\nhelp: choose another name";
     constraint requirement_without_reason: "constraint c(P: Point, a: Length) { require a != 0«;» P.x == a; }" => "expected `:` and a sentence that says why, found `;`";

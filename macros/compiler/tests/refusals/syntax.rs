@@ -1,6 +1,38 @@
 //! Mistakes of grammar.
 
 crate::refusals! {
+    item a_choice_as_a_force: "body w { mass = 1kg; } freedom p = w.position; freedom q = w.angle; force load = «if w.y > 0mm { 5N } else { 0N }»;" => "`if w.y > 0mm { 5N } else { 0N }` is a value, and a force says where it acts\nhelp: write `force load = { at w.position: (0N, if w.y > 0mm { 5N } else { 0N }); }`\nhelp: or call a law, such as `spring(P, Q, stiffness: 500N_m)`: there are `spring`, `damper`, `spring_damper`, `nonlinear_spring`, `actuator`, `constant_force`, `gas_spring`, `stop`, `stop_along`, `friction`, `drag`, `motor`, `torsion_spring`, `torsion_damper`, `torsion_spring_damper`, `nonlinear_torsion_spring`, `torsion_stop`, `torsion_friction` and `bushing`";
+    item a_table_in_a_file: "drive again = drive_x(ram.position, table(«\"motion.csv\"»));" => "files are read by programs: a table has its points here, or is a function of Rust\nhelp: write `table(t, [(0s, 0deg), (1s, 30deg), (2s, 90deg)])`";
+    item an_arrow_as_a_law: "drive again = drive_angle(ram, t «=»> speed * t);" => "a law is an expression of `t`, not a closure\nhelp: write `speed * t`";
+    item a_closure_of_a_length: "let law = «|»x| 100N_m * x;" => "a law of another quantity than `t` is a function, and is given by its name\nhelp: write `function law(x: Length) -> Force = 100N_m * x;`";
+    item outputs_in_a_list: "output «[a, b]» = (1, 2);" => "every output has a name and a value of its own\nhelp: write `output a = 1; output b = 2;`";
+    item a_simulation: "«simulate»(10s);" => "`simulate` is no item of a mechanism\nhelp: that is done in Rust, such as `mechanism.sweep(times)`, with freedoms `mechanism.sweep(times, Integrator::new(1e-9))`";
+    item an_integrator: "«integrator» = Integrator(1e-9);" => "`integrator` is no item of a mechanism\nhelp: that is done in Rust, such as `mechanism.sweep(times)`, with freedoms `mechanism.sweep(times, Integrator::new(1e-9))`";
+    item an_assertion: "«assert»(length > 0mm);" => "`assert` is no item of a mechanism\nhelp: bounds of a parameter stand behind it, as in `param a: Length = 100mm in 50mm..;`";
+    item a_part_as_in_modelica: "«Leg» leg(ground.C);" => "a part of a mechanism begins with its kind, and `=` stands behind its name\nhelp: write `part leg = Leg(ground.C);`";
+    item an_event: "«event» hit = ram.x > 0mm;" => "`event` is no item of a mechanism\nhelp: a quantity is an `output`, and in Rust `mechanism.advance_until(…)` finds its zero";
+    item a_limit: "«limit» ram.x < 1m;" => "`limit` is no item of a mechanism\nhelp: ends of a motion are forces, `stop`, `stop_along` and `torsion_stop`; a parameter has bounds, `param a: Angle = 0deg in -90deg..=90deg;`";
+    item an_equation_as_an_item: "«equation» level = ram.angle;" => "`equation` is no item of a mechanism\nhelp: write its equation, `joint level = { lhs == rhs; }`";
+    item an_energy_in_braces: "energy e = «{ 5J * ram.angle / 1rad; }»" => "an energy is one value, without braces\nhelp: write `energy e = 5J * ram.angle / 1rad;`";
+    item a_comparison_as_a_factor: "let a = (length «>» 1mm) * 5;" => "a comparison is no value\nhelp: it stands behind `if`, as in `if a < b { x } else { y }`";
+    item two_equations_with_a_sign: "joint again = { ram.x == 0mm «&»& ram.y == 0mm; }" => "expected an operator or `;`, found `&`\nhelp: each equation ends with `;`, and a choice has one condition, `if a < b { x } else { y }`";
+    item two_equations_with_a_word: "joint again = { ram.x == 0mm «and» ram.y == 0mm; }" => "expected `;`, found `and`\nhelp: each equation ends with `;`, and a choice has one condition, `if a < b { x } else { y }`";
+    item a_reference: "let a = norm(«&»ground.C);" => "nothing is borrowed here\nhelp: write `ground.C`";
+    item a_vector_in_braces: "body b { point P = «{100mm, 0mm}»; }" => "a vector has parentheses\nhelp: write `(100mm, 0mm)`";
+    item a_name_in_quotation_marks: "body «\"wheel\"» { }" => "names have no quotation marks\nhelp: write `wheel`";
+    item a_range_as_a_pair: "range t in «(0s, 1s)»;" => "bounds stand on both sides of `..=`\nhelp: write `in 0s..=1s`";
+    item a_diameter_of_a_disk: "body b { mass = 1kg; inertia = disk(«d»: 100mm); }" => "values in parentheses have no names here\nhelp: write `(100mm / 2)`";
+    item an_axis_with_a_zero_in_a_call: "joint again = revolute(ground.O, (0, 1) «from» (1, 0), crank.O);" => "expected `,` or `)`, found `from`\nhelp: declare the axis in a body or in ground, `axis a = (0, 0, 1) from (1, 0, 0);`, and give its name here";
+    item an_axis_of_a_component: "component Leg() { «axis» side = (1, 0); }" => "`axis` belongs in a body, or in the ground of the mechanism\nhelp: declare it there, `ground { axis side = …; }`, and give it to the component, `side: Axis`";
+    item a_point_of_a_component: "component Leg() { «point» P = (1mm, 0mm); }" => "`point` belongs in a body, or in the ground of the mechanism\nhelp: declare it there, `ground { point P = …; }`, and give it to the component, `P: Point`";
+    item a_speed_of_turns: "drive again = drive_angle(ram, «2turn_s» * t);" => "no unit is called `turn_s`\nhelp: `1turn_s` is `60rpm`";
+    item an_angle_in_the_degrees_of_adams: "let a = «90D»;" => "no unit is called `D`\nhelp: `1D` is `1deg`";
+    item a_step_of_adams_in_degrees: "let a = «STEP»(time, 0, 0, 1, 90d);" => "no function is called `STEP`\nhelp: did you mean `90deg * smooth_step(t / 1s)`?";
+    item a_ramp_of_one_argument: "let a = «ramp»(t);" => "no function is called `ramp`\nhelp: write a rate by the time since it begins, `2rad_s * max(t - 1s, 0s)`; from 0 to 1 leads `linear(t / 1s)`";
+    item an_angle_of_two_lengths: "let a = «atan»(1mm, 2mm);" => "`atan` takes 1 argument, found 2\nhelp: write `atan2(y, x)`";
+    item a_body_called_table: "body «table» { }" => "`table` has a meaning of its own in expressions\nhelp: choose another name, such as `table_1`";
+    item a_carrier_in_the_place_of_a_phase: "joint mesh = gear_pair(crank, ram, 20, 40, «ground»);" => "`c` of `gear_pair` takes a number, found a body\nhelp: a body that carries both axes has its name, `carrier: …`";
+    item a_force_that_grows_with_time: "body w { mass = 1kg; } freedom p = w.position; freedom q = w.angle; force load = { at w.position: «(0N, 100N * t)»; }" => "cannot make one vector of a force (N) and a quantity in m·kg/s\nhelp: `t` multiplies a rate: divide by a time, as in `stroke / 1s * t`";
     item a_percentage_of_a_length: "let a = length * «20%»;" => "`%` is the rest of a division\nhelp: write `0.2`";
     item values_with_names: "let a = norm((«x»: 1m, y: 2m));" => "values in parentheses have no names here\nhelp: write `(1m, 2m)`";
     item a_force_without_its_word: "«pull» = spring(ground.C, ram.B, 5N_m);" => "an item begins with its kind, and has a name\nhelp: write `force pull = spring(…);`";
@@ -86,7 +118,7 @@ crate::refusals! {
     item equal_sign_of_a_freedom_is_missing: "freedom f «crank».angle from 30deg;" => "expected `=`, found `crank`\nhelp: write `freedom f = crank.angle …;`";
     item operand_is_missing: "output b = 2 * «;»" => "expected an expression, found `;`";
     item plus_before_a_number: "output b = «+»5;" => "expected an expression, found `+`";
-    item operator_is_unknown: "output b = 5 «&» 2;" => "expected an operator or `;`, found `&`";
+    item operator_is_unknown: "output b = 5 «&» 2;" => "expected an operator or `;`, found `&`\nhelp: each equation ends with `;`, and a choice has one condition, `if a < b { x } else { y }`";
     item power_is_a_caret: "output b = length«**»2;" => "`**` is no operator\nhelp: a power is written `a^b`";
     item functions_are_no_methods: "output b = crank.angle.«sin»();" => "there are no methods here\nhelp: write `sin(value)` for `value.sin()`";
     item operator_between_number_and_name: "let a = 180mm + «2 length»;" => "an operator is missing between `2` and `length`\nhelp: write `2 * length`";

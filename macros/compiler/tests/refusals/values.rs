@@ -314,6 +314,15 @@ fn expressions_that_are_often_meant_otherwise_are_doubted() {
     let periods = |written: &str, instead: &str| vec![format!("`{written}` is taken in radians\nhelp: write `{instead}`")];
     assert_eq!(plane("param T: Time = 1s; drive d = drive_angle(b, t / T);"), periods("t / T", "1turn * t / T"));
     assert_eq!(plane("param T: Time = 1s; drive d = drive_angle(b, 360 * t / T);"), periods("360 * t / T", "360deg * t / T"));
+    assert_eq!(plane("drive d = drive_angle(b, t / 2s);"), periods("t / 2s", "1turn * t / 2s"));
+    assert_eq!(plane("drive d = drive_angle(b, 90 * t / 1s);"), periods("90 * t / 1s", "90deg * t / 1s"));
+    assert_eq!(plane("drive d = drive_angle(b, 3000 * t / 60s);"), periods("3000 * t / 60s", "3000rpm * t"));
+    let rise =
+        "`cycloidal(t / 2s)` leads from 0 to 1, and as an angle to 1 rad\nhelp: write `90deg * cycloidal(t / 2s)` for a quarter of a turn";
+    assert_eq!(plane("drive d = drive_angle(b, cycloidal(t / 2s));"), [rise]);
+    for sure in ["t / 1s", "2 * t / 1s", "90deg * cycloidal(t / 2s)", "1turn * t / 2s"] {
+        assert_eq!(plane(&format!("drive d = drive_angle(b, {sure});")), Vec::<String>::new(), "{sure}");
+    }
     for sure in ["1turn * t / T", "360deg * t / T", "2 * pi * t / T", "3rad * t / T"] {
         assert_eq!(plane(&format!("param T: Time = 1s; drive d = drive_angle(b, {sure});")), Vec::<String>::new(), "{sure}");
     }
@@ -338,6 +347,27 @@ fn expressions_that_are_often_meant_otherwise_are_doubted() {
     ] {
         assert_eq!(plane(sure), Vec::<String>::new(), "{sure}");
     }
+    let phase = |written: &str, gears: &str| {
+        vec![format!(
+            "`{written}` is `c` of `{gears}`, the angle in which the gears mesh at the start, and no size of a gear\nhelp: take it away: two sizes \
+             belong to `{gears}`, and pressure angles do not matter; or write `c: {written}`"
+        )]
+    };
+    let pair = |sizes: &str| plane(&format!("body c {{}} joint g = gear_pair(b, c, {sizes});"));
+    assert_eq!(pair("20, 40, 20deg"), phase("20deg", "gear_pair"));
+    assert_eq!(pair("20, 40, 60"), phase("60", "gear_pair"));
+    let thirds = plane("body sun {} body ring {} body carrier {} joint p = planetary(sun, ring, carrier, 20, 40, 60);");
+    assert_eq!(thirds, phase("60", "planetary"));
+    for sure in ["20, 40", "20, 40, 0", "20, 40, 30deg", "20, 40, c: 20deg"] {
+        assert_eq!(pair(sure), Vec::<String>::new(), "{sure}");
+    }
+    let pad = |coefficient: &str| {
+        let pad = "friction(ground.position, (1, 0), c.position, 20N, «», 1mm_s)".replace("«»", coefficient);
+        plane(&format!("body c {{ mass = 1kg; }} force f = {pad};"))
+    };
+    let percentage = "a coefficient of friction of 20 is hardly met\nhelp: write `0.2` for 20 per cent";
+    assert_eq!(pad("20"), [percentage]);
+    assert_eq!(pad("0.2"), Vec::<String>::new());
     let spring = |force: &str| plane(&format!("body c {{ point P = (1m, 0m); mass = 1kg; }} force k = {force};"));
     let meant = "help: take the minus away, or name the number with `let` if it is meant";
     let pushes = format!("`-200N_m` pushes away from rest\n{meant}");
@@ -346,8 +376,9 @@ fn expressions_that_are_often_meant_otherwise_are_doubted() {
     let damping = format!("`-3Ns_m` drives the motion instead of damping it\n{meant}");
     assert_eq!(spring("damper((5m, 0m), c.P, -3Ns_m)"), [damping.as_str()]);
     assert_eq!(spring("torsion_damper(ground, c, -3Nms_rad)"), [damping.replace("3Ns_m", "3Nms_rad")]);
-    for sure in ["spring((5m, 0m), c.P, 200N_m, rest: -1m)", "actuator((5m, 0m), c.P, -200N)", "torsion_spring(ground, c, 5Nm_rad, -3deg)"]
-    {
+    let rest = format!("`-1m` is a length that no spring has\n{meant}");
+    assert_eq!(spring("spring((5m, 0m), c.P, 200N_m, rest: -1m)"), [rest.as_str()]);
+    for sure in ["spring((5m, 0m), c.P, 200N_m, rest: 1m)", "actuator((5m, 0m), c.P, -200N)", "torsion_spring(ground, c, 5Nm_rad, -3deg)"] {
         assert_eq!(spring(sure), Vec::<String>::new(), "{sure}");
     }
     let jumps = "a change of `w` acts over all the time before it: `w * t` jumps\nhelp: a commanded speed is a `param` of a mechanism that is \
@@ -357,6 +388,12 @@ fn expressions_that_are_often_meant_otherwise_are_doubted() {
         |found: &str| vec![format!("the acceleration of free fall is {found} here, and 9.81 m/s² on Earth\nhelp: write `9.81m_s2`")];
     assert_eq!(plane("body c { mass = 1kg; } gravity = (0, -9810);"), gravity("9810 m/s²"));
     assert_eq!(plane("body c { mass = 1kg; } gravity = (0, -1.62m_s2);"), Vec::<String>::new());
+    let upwards = "gravity points upwards here\nhelp: write `-9.81m_s2`, or name the number with `let` if it is meant";
+    assert_eq!(plane("body c { mass = 1kg; } gravity = (0, 9.81m_s2);"), [upwards]);
+    assert_eq!(doubts("in space", "body c { mass = 1kg; } gravity = (0, 0, 9.81m_s2);"), [upwards]);
+    for sure in ["gravity = (9.81m_s2, 0);", "gravity = (0, 1.62m_s2);", "let g = 9.81m_s2; gravity = (0, g);"] {
+        assert_eq!(plane(&format!("body c {{ mass = 1kg; }} {sure}")), Vec::<String>::new(), "{sure}");
+    }
     let wide = "the inertia of `c` is that of its mass at a distance of 86600 mm, where no length exceeds 300 mm\nhelp: a number without a unit is \
                 in kg m²; write `kgm2`, `kgcm2` or `kgmm2`";
     let inertia = |inertia: &str| plane(&format!("body c {{ point P = (300mm, 0mm); mass = 2kg; inertia = {inertia}; }}"));

@@ -67,6 +67,7 @@ impl Display for ArityFact {
             ArityFact::FunctionArity { name, wanted, found } => {
                 write!(f, "`{name}` takes {}, found {found}", plural(*wanted, "argument"))?;
                 match (wanted, name.as_str()) {
+                    (1, "atan") if *found == 2 => write!(f, "\nhelp: write `atan2(y, x)`"),
                     (2, "atan2") => write!(f, "\nnote: `atan2(y, x)`"),
                     (3, "rise" | "fall") => write!(f, "\nnote: `{name}(height, duration, law)`, with a law such as `cycloidal`"),
                     (1, "norm") if *found == 2 => {

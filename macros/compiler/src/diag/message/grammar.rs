@@ -5,8 +5,8 @@ use crate::diag::GrammarFact;
 use crate::words::{Home, foreign};
 use std::fmt::{Display, Formatter, Result};
 
-/// Words for what is done with a mechanism.
-const COMMANDS: [&str; 11] = ["solve", "solver", "simulate", "simulation", "run", "sweep", "time", "step", "plot", "animate", "animation"];
+/// There is no `and`.
+const ONE_BY_ONE: &str = "each equation ends with `;`, and a choice has one condition, `if a < b { x } else { y }`";
 
 /// Items of a mechanism.
 const ITEMS: [&str; 19] = [
@@ -44,9 +44,23 @@ impl Display for GrammarFact {
             GrammarFact::Expected { what: "`;`", found } => {
                 write!(f, "expected `;`, found {found}\nhelp: ")?;
                 match found.as_str() {
-                    "`from`" => write!(f, "`from` belongs to an `axis` of a body or of ground, or to a `freedom`"),
+                    "`from`" => {
+                        write!(f, "`from` belongs to an `axis` of a body or of ground, or to a `freedom`; ")?;
+                        write!(f, "a component is given such an axis as a parameter, `a: Axis`")
+                    }
+                    "`and`" | "`or`" => f.write_str(ONE_BY_ONE),
                     _ => write!(f, "end what stands before it with `;`"),
                 }
+            }
+            GrammarFact::Expected { what: what @ "`,` or `)`", found } if found == "`from`" => {
+                write!(f, "expected {what}, found {found}")?;
+                write!(f, "\nhelp: declare the axis in a body or in ground, `axis a = (0, 0, 1) from (1, 0, 0);`, and give its name here")
+            }
+            GrammarFact::Expected { what: what @ "an operator or `;`", found } if found == "`&`" => {
+                write!(f, "expected {what}, found {found}\nhelp: {ONE_BY_ONE}")
+            }
+            GrammarFact::ComparisonAsValue => {
+                write!(f, "a comparison is no value\nhelp: it stands behind `if`, as in `if a < b {{ x }} else {{ y }}`")
             }
             GrammarFact::Expected { what: what @ "an expression", found } if found == "`box`" => {
                 write!(f, "expected {what}, found {found}, a word of Rust\nhelp: the shape is `block(a, b, c)`, in the plane `block(a, b)`")
@@ -208,11 +222,24 @@ impl Display for GrammarFact {
                     "`{word}` is no item of a mechanism\nhelp: bounds of a parameter stand behind it, as in `param a: Length = 100mm in 50mm..;`"
                 )
             }
-            GrammarFact::UnknownItem { word, .. } if COMMANDS.contains(&word.as_str()) => {
+            GrammarFact::UnknownItem { word, .. } if crate::words::is_command(word) => {
                 write!(
                     f,
                     "`{word}` is no item of a mechanism\nhelp: that is done in Rust, such as `mechanism.sweep(times)`, with freedoms `mechanism.sweep(times, Integrator::new(1e-9))`"
                 )
+            }
+            GrammarFact::UnknownItem { word, .. } if ["event", "when", "trigger", "sensor"].contains(&word.as_str()) => {
+                write!(
+                    f,
+                    "`{word}` is no item of a mechanism\nhelp: a quantity is an `output`, and in Rust `mechanism.advance_until(…)` finds its zero"
+                )
+            }
+            GrammarFact::UnknownItem { word, .. } if ["limit", "limits"].contains(&word.as_str()) => {
+                write!(
+                    f,
+                    "`{word}` is no item of a mechanism\nhelp: ends of a motion are forces, `stop`, `stop_along` and `torsion_stop`"
+                )?;
+                write!(f, "; a parameter has bounds, `param a: Angle = 0deg in -90deg..=90deg;`")
             }
             GrammarFact::UnknownItem { word, name, home: Some(home) } => {
                 let name = name.as_deref().unwrap_or("name");
@@ -335,7 +362,15 @@ impl Display for GrammarFact {
             GrammarFact::MassOfGround { word } => {
                 write!(f, "ground does not move: its `{word}` would change nothing\nhelp: take it away, or write it in a body")
             }
-            GrammarFact::FeatureOutside { word, name } => {
+            GrammarFact::FeatureOutside { word, name, is_top: false } => {
+                let parameter = if word == "axis" { "Axis" } else { "Point" };
+                write!(f, "`{word}` belongs in a body, or in the ground of the mechanism")?;
+                write!(
+                    f,
+                    "\nhelp: declare it there, `ground {{ {word} {name} = …; }}`, and give it to the component, `{name}: {parameter}`"
+                )
+            }
+            GrammarFact::FeatureOutside { word, name, .. } => {
                 write!(f, "`{word}` belongs in ground or in a body\nhelp: write it there, as in `ground {{ {word} {name} = …; }}`")
             }
             GrammarFact::UnknownBodyItem { word, .. } => {
@@ -395,7 +430,9 @@ impl Display for GrammarFact {
             GrammarFact::ExponentTooLarge { limit } => write!(f, "the exponent of a dimension is at most {limit}"),
             GrammarFact::OnlyAtTheTop { word } => {
                 let place = if word == "input" { "a component" } else { "a component or a loop" };
-                write!(f, "`{word}` stands in the mechanism itself, not in {place}\nhelp: move it out")
+                write!(f, "`{word}` stands in the mechanism itself, not in {place}\nhelp: move it out")?;
+                let of_components = "; a component is given its points and axes as parameters, such as `P: Point` and `a: Axis`";
+                if word == "ground" { write!(f, "{of_components}") } else { Ok(()) }
             }
             GrammarFact::StartInLoop => write!(f, "a body starts once: `start` cannot be repeated\nhelp: move it out of the loop"),
             GrammarFact::StartOfJoint => {

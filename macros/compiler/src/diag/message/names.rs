@@ -144,7 +144,9 @@ impl Display for NameFact {
                 let [kind, item] = declared(*is_force);
                 write!(f, "`{name}` is a {kind}, not a function\nhelp: write `{item} name = {name}(…);`")
             }
-            NameFact::UnknownFunction { name, near, .. } if near.is_none() || foreign(name).is_some() => {
+            NameFact::UnknownFunction { name, near, .. }
+                if near.as_ref().is_none_or(|near| foreign(name).is_some() && !near.contains('*')) =>
+            {
                 write!(f, "no function is called `{name}`")?;
                 match foreign(name) {
                     Some((reason, instead)) => write!(f, "{reason}\nhelp: {instead}"),
@@ -287,8 +289,8 @@ impl Display for NameFact {
                 )
             }
             NameFact::Reserved { name } => {
-                let other = if ["x", "y", "z"].contains(&name.as_str()) { ", such as `u`" } else { "" };
-                write!(f, "`{name}` has a meaning of its own in expressions\nhelp: choose another name{other}")
+                let other = if ["x", "y", "z"].contains(&name.as_str()) { "u" } else { &format!("{name}_1") };
+                write!(f, "`{name}` has a meaning of its own in expressions\nhelp: choose another name, such as `{other}`")
             }
             NameFact::Generated { name } => {
                 let what = if name.starts_with(char::is_uppercase) { "constant" } else { "function" };

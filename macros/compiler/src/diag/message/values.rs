@@ -18,6 +18,9 @@ impl Display for ValueFact {
                 if let Some(drive) = remedy::of_drive(definition, found) {
                     return write!(f, "\nhelp: write `{drive}`");
                 }
+                if (definition.as_str(), parameter.as_str(), found) == ("gear_pair", "c", &Kind::Body) {
+                    return write!(f, "\nhelp: a body that carries both axes has its name, `carrier: …`");
+                }
                 match (instead, remedy::about_an_axis(definition, found)) {
                     (Some(instead), _) => {
                         write!(f, "\nhelp: write `{instead}`")?;
@@ -162,9 +165,9 @@ impl Display for ValueFact {
                 mistyped(f, typed.as_ref())?;
                 write!(f, "`{word}` is for the plane; in space write {}", remedy::in_space(word))
             }
-            ValueFact::AlongItsAxis { name } => {
+            ValueFact::AlongItsAxis { name, is_along_x } => {
                 write!(f, "angles about `{name}` are counted from a direction across it, and this one has no part across it")?;
-                write!(f, "\nhelp: write a direction across it, `from (1, 0, 0)` or `from (0, 1, 0)`")
+                write!(f, "\nhelp: write a direction across it, such as `from {}`", if *is_along_x { "(0, 1, 0)" } else { "(1, 0, 0)" })
             }
             ValueFact::NotTwoComponents { found, .. } => {
                 write!(f, "a vector in the plane has 2 components, found {found}")?;
@@ -425,8 +428,13 @@ fn not_a_start(f: &mut Formatter, written: &str, body: Option<&str>, ambient: Am
     let joint = if written.chars().all(|letter| letter.is_alphanumeric() || letter == '_') { written } else { "joint" };
     match (ambient, what) {
         (Ambient::Plane, _) => {
-            let what = what.unwrap_or("angle");
-            write!(f, "a start in the plane is that of a body\nhelp: write `start {what} = …;` in `body {owner} {{ … }}`")
+            write!(
+                f,
+                "a start in the plane is that of a body\nhelp: write `start {} = …;` in `body {owner} {{ … }}`",
+                what.unwrap_or("angle")
+            )?;
+            let is_name = what.is_none() && joint == written;
+            if is_name { write!(f, "; a freedom starts `from` a value, `freedom {written} = crank.angle from 30deg;`") } else { Ok(()) }
         }
         (Ambient::Space, Some(what)) if body.is_some() || what == written => {
             write!(f, "a start outside bodies is that of a joint\nhelp: write `start {what} = …;` in `body {owner} {{ … }}`")
