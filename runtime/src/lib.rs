@@ -148,7 +148,7 @@ pub use api::{
 #[doc(hidden)]
 pub use api::{
     Named, Opposed, Output, Relation, advance_once_with_inputs, advance_with_inputs, between, finite, listed, parameter_size, require,
-    solve_with_inputs, sweep_with_inputs, within,
+    solve_with_inputs, sweep_with_inputs, varied, within,
 };
 #[doc(hidden)]
 pub use dynamics::motion;

@@ -454,3 +454,39 @@ fn a_crank_with_a_driven_rate_starts_where_its_angle_is_zero() {
         assert!((length.value - 0.373_f64.hypot(0.196).hypot(0.037)).abs() < 1e-14 && length.rate.abs() < 1e-13, "{t}: {length:?}");
     }
 }
+
+mechanism! {
+    /// A blade on ice whose speed jumps, and whose edge turns.
+    #[integrated]
+    pub(crate) mechanism Hurried {
+        param first: Velocity = 2m_s;
+        param second: Velocity = 1m_s;
+        param turning: AngularVelocity = 0rad_s;
+        body blade { axis edge = (1, 0); }
+        joint ice = { cross(blade.edge, rate(blade.position)) == 0m_s; }
+        drive push = { dot(blade.edge, rate(blade.position)) == if t < 0.5s { first } else { second }; }
+        drive turn = drive_angle(blade, turning * t);
+    }
+}
+
+/// No mass feels the jump of a speed that is driven.
+#[test]
+fn a_speed_that_is_driven_may_jump() {
+    for (first, second) in [(2.0, 1.0), (2.0, 1.99), (-3.0, 5.0)] {
+        for tolerance in [1e-5, 1e-9, 1e-12] {
+            let hurried = Hurried { first, second, ..Default::default() };
+            let mut state = hurried.initial_state().expect("a state");
+            hurried.advance(&mut state, 1.0, &mut reuleaux::Integrator::new(tolerance)).unwrap_or_else(|stopped| panic!("{second}: {stopped}"));
+            let right = 0.5 * (first + second);
+            assert!((state.blade().position.x - right).abs() < 1e-14, "{first}, {second}: {}", state.blade().position.x);
+        }
+    }
+    // Along an arc: the chord of each half.
+    let (w, first, second) = (0.8, 2.0, 1.0);
+    let hurried = Hurried { first, second, turning: w };
+    let mut state = hurried.initial_state().expect("a state");
+    hurried.advance(&mut state, 1.0, &mut reuleaux::Integrator::new(1e-12)).expect("a motion");
+    let middle = 0.5 * w;
+    let right = (first * f64::sin(middle) + second * (w.sin() - f64::sin(middle))) / w;
+    assert!((state.blade().position.x - right).abs() < 1e-11, "{}, not {right}", state.blade().position.x);
+}

@@ -28,3 +28,4 @@ mod space;
 mod springs;
 mod stiff;
 mod stops;
+mod switches;

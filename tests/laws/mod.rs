@@ -31,7 +31,7 @@ declared! {
         body clock { point P = (0, 0); }
         drive lift = drive_x(clock.P, rise * cycloidal((t - begin) / duration));
         drive aside = drive_y(clock.P, rise * modified_trapezoidal((t - begin) / duration));
-        drive turn = drive_angle(clock, polynomial_345((t - begin) / duration));
+        drive turn = drive_angle(clock, 1rad * polynomial_345((t - begin) / duration));
     } outputs RisesState {
         lift = [clock.x];
         aside = [clock.y];

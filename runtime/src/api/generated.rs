@@ -93,6 +93,12 @@ pub fn parameter_size<T: Scalar, M: Family<T, Over<T> = M>>(mechanism: &M, numbe
     if size.get() > T::ZERO { size.get() } else { T::of(1.0) }
 }
 
+/// The mechanism with the parameter changed by which the derivatives with this number are taken.
+#[doc(hidden)]
+pub fn varied<T: Scalar, M: Family<T, Over<T> = M>>(mechanism: &M, number: usize, change: T) -> M {
+    M::gather([mechanism], |[parameter]| parameter + change * parameter.derivative(number).unwrap_or(T::ZERO))
+}
+
 /// A parameter by name, value and unit.
 #[doc(hidden)]
 pub type Named<T> = (&'static str, T, &'static str);

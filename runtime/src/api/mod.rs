@@ -22,7 +22,7 @@ mod sweep;
 #[cfg(feature = "picture")]
 pub use drawable::{Drawable, Sketch};
 pub use forces::{PlanarForce, SpatialForce};
-pub use generated::{Matrix, Named, Relation, Vector, between, finite, parameter_size, require, within};
+pub use generated::{Matrix, Named, Relation, Vector, between, finite, parameter_size, require, varied, within};
 pub use gradient::{Differentiable, Gradient};
 pub use inputs::{advance_once_with_inputs, advance_with_inputs, solve_with_inputs, sweep_with_inputs};
 pub use loads::{DriveLoad, Loads, Opposed, PlanarLoad, SpatialLoad};

@@ -47,6 +47,14 @@ pub trait Dynamics<T: Scalar, const N: usize, const I: usize, const M: usize, co
         T::of(1.0)
     }
 
+    /// The mechanism with the parameter of a number changed by `change`, in SI; `None` if there are no parameters.
+    fn varied(&self, _number: usize, _change: T) -> Option<Self>
+    where
+        Self: Sized,
+    {
+        None
+    }
+
     /// Φ, J and ν. `found` holds zeros or the equations at another state: entries of J that are always zero are not written.
     fn constraints(&self, q: &SVector<T, N>, t: T, found: &mut Constraints<T, M, I>);
 

@@ -1,12 +1,15 @@
 //! Instants at which an event changes its sign.
 
+use nalgebra::SVector;
+
 use super::equations::Dynamics;
 use super::looks::{LOOKS, Looks, changes};
 use super::method::Method;
-use super::project::Reached;
+use super::project::{Reached, refresh};
 use super::quintic::between;
-use super::step::land;
+use super::step::{first_step, is_instant, land};
 use super::stopped::Stopped;
+use super::switch::jump_within;
 use crate::number::Scalar;
 use crate::state::State;
 
@@ -18,6 +21,9 @@ const SLOW: usize = 3;
 
 /// Part of a step, the value of the event there, and the state.
 type Instant<T, const N: usize> = (T, T, State<T, N>);
+
+/// A first step is a hundredth of the time in which a state changes.
+const HUNDRED: f64 = 100.0;
 
 /// Corrections of the derivatives of an instant; each leaves a part √ε of their error.
 const DERIVATIVES: usize = 2;
@@ -85,7 +91,7 @@ where
             is_first = changes(before.1, after.1);
         }
         if changes(before.1, after.1) {
-            let found = locate::<K, T, S, N, I, M, R>(mechanism, from, (before, after), (whole, &exactly), event, tolerance)?;
+            let found = locate::<T, S, N, I, M, R>(mechanism, from, (before, after), (whole, &exactly), event)?;
             return Ok(Some(found));
         }
         low = *high;
@@ -96,62 +102,91 @@ where
 /// The state at which an event has the value zero, between two at which it has different signs.
 ///
 /// * `whole`, `exactly`: given, the size of the step, and the state at a part of it.
-/// * `tolerance`: given, that of steps, as for [`land`].
 #[allow(clippy::type_complexity)] // Parts, values and states.
-fn locate<K: Method, T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+fn locate<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     from: &State<T, N>,
     (before, after): (Instant<T, N>, Instant<T, N>),
     (whole, exactly): (T, &impl Fn(T) -> Result<Instant<T, N>, Stopped<T>>),
     event: &impl Fn(&State<T, N>) -> T,
-    tolerance: (T, T),
 ) -> Result<State<T, N>, Stopped<T>>
 where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    let (mut low, mut high) = ((before.0, before.1), (after.0, after.1));
+    let bare = |instant: &Instant<T, N>| (instant.0.without_derivatives(), instant.1.without_derivatives());
+    let (mut low, mut high) = (bare(&before), bare(&after));
+    let end = after.2.clone();
     let (mut found, mut last, mut slow, mut width) = (after, T::ZERO, 0, high.0 - low.0);
     // Regula falsi with halved weights (Illinois), and halves where it is slow.
     for _ in 0..SEARCH {
-        if high.1 == T::ZERO || ((high.0 - low.0) * whole).abs() <= T::EPSILON * (from.t.abs() + (high.0 * whole).abs()) {
+        if ((high.0 - low.0) * whole).abs() <= T::EPSILON * (from.t.abs() + (high.0 * whole).abs()) {
             break;
         }
         let half = (low.0 + high.0) * T::of(0.5);
         let by_values = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
-        let is_within = by_values > low.0 && by_values < high.0 && slow < SLOW;
+        // An event that stays zero does not tell where it became so.
+        let is_within = by_values > low.0 && by_values < high.0 && slow < SLOW && high.1 != T::ZERO;
         let here = exactly(if is_within { by_values } else { half })?;
-        let is_like_high = here.1 == T::ZERO || (here.1 > T::ZERO) == (high.1 > T::ZERO);
-        if is_like_high {
-            high = (here.0, here.1);
+        if !changes(low.1, here.1.without_derivatives()) {
+            low = bare(&here);
+            high.1 = if last < T::ZERO { high.1 * T::of(0.5) } else { high.1 };
+            last = T::of(-1.0);
+        } else {
+            high = bare(&here);
             found = here;
             low.1 = if last > T::ZERO { low.1 * T::of(0.5) } else { low.1 };
             last = T::of(1.0);
-        } else {
-            low = (here.0, here.1);
-            high.1 = if last < T::ZERO { high.1 * T::of(0.5) } else { high.1 };
-            last = T::of(-1.0);
         }
         slow += 1;
         if high.0 - low.0 <= width * T::of(0.5) {
             (slow, width) = (0, high.0 - low.0);
         }
     }
-    // The search compares values: how the instant depends on parameters follows by Newton's method.
-    let at = |h: T| {
-        let trial = K::trial(mechanism, from, h)?;
-        land(mechanism, (from, None), &trial, h, tolerance, &mut Reached::empty()).map(|state| (h, event(&state), state))
+    if T::ZERO.derivative(0).is_none() {
+        return Ok(found.2);
+    }
+    let before = jump_within(mechanism, from, &end).filter(|jump| is_instant(from.t + jump.later - found.2.t, from.t));
+    with_derivatives(mechanism, found.2, before.map(|jump| jump.before), event)
+}
+
+/// The state at an event with the derivatives of its instant: the search compares values.
+///
+/// * `before`: given, the accelerations before the event, where they jump there.
+#[inline(never)]
+fn with_derivatives<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    mut found: State<T, N>,
+    before: Option<SVector<T, N>>,
+    event: &impl Fn(&State<T, N>) -> T,
+) -> Result<State<T, N>, Stopped<T>>
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    found.values.qdd = before.unwrap_or(found.qdd);
+    let moved = |state: &State<T, N>, later: T| {
+        let mut moved = state.clone();
+        moved.values.t = moved.t + later;
+        for place in 0..N {
+            let (Some(speed), Some(acceleration)) = (state.qd.get(place), state.qdd.get(place)) else { continue };
+            if let (Some(to), Some(rate)) = (moved.values.q.get_mut(place), moved.values.qd.get_mut(place)) {
+                (*to, *rate) = (*to + later * *speed, *rate + later * *acceleration);
+            }
+        }
+        moved
     };
-    let mut found = (found.0 * whole, found.1, found.2);
+    let ahead = (T::of(HUNDRED) * T::ROOT_EPSILON * first_step(mechanism, &found)).without_derivatives();
     for _ in 0..DERIVATIVES {
-        let (h, value, _) = found;
+        let value = event(&found);
         let by_parameters = value - value.without_derivatives();
         if by_parameters == T::ZERO {
             break;
         }
-        let later = at(h + T::ROOT_EPSILON * h)?;
-        let slope = (later.1 - value).without_derivatives() / (T::ROOT_EPSILON * h).without_derivatives();
-        found = at(h - by_parameters / slope)?;
+        let [later, earlier] = [ahead, T::ZERO - ahead].map(|time| event(&moved(&found, time)).without_derivatives());
+        let slope = (later - earlier) / (ahead + ahead);
+        found = moved(&found, T::ZERO - by_parameters / slope);
     }
-    Ok(found.2)
+    refresh(mechanism, &mut found)?;
+    Ok(found)
 }

@@ -2,19 +2,18 @@
 
 use core::marker::PhantomData;
 
-use super::accelerate::lengths;
 use super::changed::accelerate;
 use super::equations::Dynamics;
 use super::event::first_event;
 use super::explicit::Explicit;
 use super::jump::no_speed_jumps;
 use super::method::Method;
-use super::places::{largest, picked};
 use super::project::Reached;
 use super::rank::{is_sharp, is_sharp_at, keeps_rank, too_short};
-use super::step::{INSTANT, error, is_instant, land};
+use super::step::{INSTANT, error, first_step, is_instant, land};
 use super::stiff::Stiff;
 use super::stopped::Stopped;
+use super::switch::with_derivatives_of_instant;
 use super::tableau::Rates;
 use crate::number::Scalar;
 use crate::number::order::smaller;
@@ -297,6 +296,10 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
             let (error, fastest) = error_and_speed;
             if let Ok(Some((mut next, rates))) = tried {
                 keeps_rank::<K, T, S, N, I, M, R>(mechanism, (state, reached.as_ref()), (&next, &there))?;
+                let is_short = is_shortened || h.abs() <= T::of(SHORTENED) * self.longest_made;
+                if T::ZERO.derivative(0).is_some() && is_short {
+                    with_derivatives_of_instant(mechanism, state, &mut next, &mut there)?;
+                }
                 *reached = Some(there);
                 (self.accepted, self.fastest) = (self.accepted + 1, fastest);
                 self.longest_made = self.longest_made.max(h.without_derivatives().abs());
@@ -314,6 +317,10 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
             is_shortened = true;
             let shorter = if tried.is_err() { T::of(0.2) } else { factor::<T, K>(error, 1.0) };
             self.step = h.without_derivatives().abs() * shorter;
+            if M == I + S::REDUNDANT && !is_instant(h, state.t) {
+                // Speeds that drives determine may jump: a step as short as an instant is tried before none is short enough.
+                self.step = self.step.max(T::of(0.75 * INSTANT) * T::EPSILON * state.t.without_derivatives().abs());
+            }
             if self.step <= T::of(4.0) * T::EPSILON * state.t.abs() || self.step < T::of(SHORTEST) {
                 return Err(tried.err().unwrap_or_else(|| too_short(mechanism, state)));
             }
@@ -328,6 +335,9 @@ const NEARLY: f64 = 0.9;
 /// Longest first step, as a fraction of the time to be covered.
 const FIRST: f64 = 0.01;
 
+/// A force that jumps shortens steps to less than this part of the longest one.
+const SHORTENED: f64 = 1e-3;
+
 /// Change of the step size for an error relative to the tolerance: its eighth or fourth root, with reserve.
 fn factor<T: Scalar, K: Method>(error: T, most: f64) -> T {
     let error = error.without_derivatives();
@@ -340,20 +350,6 @@ fn factor<T: Scalar, K: Method>(error: T, most: f64) -> T {
 
 /// Most steps in a row in which a force may jump. Towards an infinite force there would be ever more.
 const INSTANTS: usize = 4;
-
-/// A step in which no coordinate moves by more than a hundredth of its scale.
-fn first_step<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(mechanism: &S, state: &State<T, N>) -> T
-where
-    T: Scalar,
-    S: Dynamics<T, N, I, M, R>,
-{
-    let lengths = lengths(mechanism);
-    let speed = largest(&picked(&state.qd, &S::INTEGRATED), &lengths);
-    let acceleration = largest(&picked(&state.qdd, &S::INTEGRATED), &lengths);
-    let hundredth = T::of(0.01);
-    let by_acceleration = (hundredth / acceleration.max(T::of(1e-8))).sqrt();
-    smaller(hundredth / speed.max(T::of(1e-8)), by_acceleration)
-}
 
 /// No step is shorter, in s.
 const SHORTEST: f64 = 1e-35;

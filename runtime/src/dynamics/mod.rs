@@ -13,6 +13,7 @@
 //! 5. `method`: how a step is tried, `explicit` with order 8 (`tableau`), or `stiff` with order 4 by linear equations.
 //!    `step`: its end, where a projection lets no joint drift open, and its error; `rank`: whether the equations stay independent on the way.
 //! 6. `integrator`: the sizes of steps; `event`: instants within a step; `jump`: speeds that jump there; `quintic`: states in between.
+//!    `switch`: how instants at which forces jump depend on parameters.
 //! 7. `sweep`: states at given times, between the ends of steps by `dense`.
 
 mod accelerate;
@@ -36,6 +37,7 @@ mod step;
 mod stiff;
 mod stopped;
 mod sweep;
+mod switch;
 mod tableau;
 
 pub use equations::{Balance, Constraints, Driven, Dynamics, Energy};

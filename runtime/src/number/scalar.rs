@@ -30,6 +30,10 @@ pub trait Scalar: SimdReal<Mask = bool, Signs = DetSign> + PartialOrd {
     /// Its derivative by the parameter of this number, as a number that depends on none; `None` if there is no such parameter.
     #[must_use]
     fn derivative(self, parameter: usize) -> Option<Self>;
+
+    /// The same value with the value of `by` as its derivative by the parameter of this number, if there is one.
+    #[must_use]
+    fn with_derivative(self, parameter: usize, by: Self) -> Self;
 }
 
 /// A floating-point number depends on nothing.
@@ -57,6 +61,10 @@ macro_rules! scalar {
             #[inline(always)]
             fn derivative(self, _: usize) -> Option<Self> {
                 None
+            }
+            #[inline(always)]
+            fn with_derivative(self, _: usize, _: Self) -> Self {
+                self
             }
         }
     };

@@ -23,6 +23,9 @@ impl Emitter<'_> {
                 fn parameter_size(&self, number: ::core::primitive::usize) -> T {
                     ::reuleaux::parameter_size(self, number)
                 }
+                fn varied(&self, number: ::core::primitive::usize, change: T) -> ::core::option::Option<Self> {
+                    ::core::option::Option::Some(::reuleaux::varied(self, number, change))
+                }
             )
         });
         let (methods, hash, toward, allowed) = (self.methods_of_motion(), self.parameter_hash(), self.toward(), allowed());

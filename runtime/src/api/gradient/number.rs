@@ -316,6 +316,14 @@ impl<T: Float, const P: usize> Scalar for Gradient<T, P> {
     fn derivative(self, parameter: usize) -> Option<Self> {
         self.by.get(parameter).map(|by| Self::constant(*by))
     }
+
+    #[inline(always)]
+    fn with_derivative(mut self, parameter: usize, by: Self) -> Self {
+        if let Some(own) = self.by.get_mut(parameter) {
+            *own = by.value;
+        }
+        self
+    }
 }
 
 /// √(1 − x²)

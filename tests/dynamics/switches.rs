@@ -1,0 +1,202 @@
+//! Forces and driven accelerations that jump: derivatives of the motion by parameters on which the instant of the jump depends, and events there.
+
+use reuleaux::{Differentiable, Gradient, Integrator, mechanism};
+
+mechanism! {
+    /// A slide that is braked from a place on, and from a time on.
+    pub(crate) mechanism Braked {
+        param speed: Velocity = 2m_s;
+        param brake: Force = 3N;
+        param edge: Length = 1m;
+        param when: Time = 10s;
+        body b { mass = 1kg; }
+        joint rail = translational((1, 0), (0m, 0m), b.position);
+        force by_place = { at b.position: (if b.x > edge { -brake } else { 0N }, 0N); }
+        force by_time = { at b.position: (if t > when { -brake } else { 0N }, 0N); }
+        freedom stroke = b.x from 0m at speed;
+    }
+}
+
+/// x = e + v τ − f τ²/2 with the time τ = t − e/v behind the edge.
+fn braked([v, f, e]: [f64; 3], t: f64) -> ([f64; 3], [f64; 3]) {
+    let tau = t - e / v;
+    let (by_v, by_e) = (e / (v * v), -1.0 / v);
+    let speed = v - f * tau;
+    ([tau + speed * by_v, -tau * tau / 2.0, 1.0 + speed * by_e], [1.0 - f * by_v, -tau, -f * by_e])
+}
+
+#[track_caller]
+fn are_near(found: [f64; 3], right: [f64; 3], allowed: f64) {
+    assert!(found.iter().zip(&right).all(|(found, right)| (found - right).abs() < allowed), "{found:?}, not {right:?}");
+}
+
+#[test]
+fn a_force_that_jumps_at_a_place_has_the_derivatives_of_its_closed_form() {
+    for tolerance in [1e-6, 1e-9, 1e-12] {
+        let varied = Braked::default().with_derivatives(|m| [&mut m.speed, &mut m.brake, &mut m.edge]);
+        let mut state = varied.initial_state().expect("a state");
+        varied.advance(&mut state, 1.0.into(), &mut Integrator::new(tolerance.into())).expect("a motion");
+        let (position, speed) = braked([2.0, 3.0, 1.0], 1.0);
+        are_near(state.b().position.x.by, position, 1e-8);
+        are_near(state.b().velocity.x.by, speed, 1e-8);
+    }
+}
+
+#[test]
+fn a_force_that_jumps_at_a_time_has_the_derivatives_of_its_closed_form() {
+    let varied = Braked { when: 0.3, edge: 9.0, ..Default::default() }.with_derivatives(|m| [&mut m.speed, &mut m.brake, &mut m.when]);
+    let mut state = varied.initial_state().expect("a state");
+    varied.advance(&mut state, 1.0.into(), &mut Integrator::new(1e-10.into())).expect("a motion");
+    // x = v t − f (t − w)²/2
+    are_near(state.b().position.x.by, [1.0, -0.245, 3.0 * 0.7], 1e-8);
+    are_near(state.b().velocity.x.by, [1.0, -0.7, 3.0], 1e-8);
+}
+
+/// Backwards in time the force that acted ends.
+#[test]
+fn derivatives_are_followed_backwards_across_a_jump() {
+    let varied = Braked { when: 0.3, edge: 9.0, ..Default::default() }.with_derivatives(|m| [&mut m.speed, &mut m.brake, &mut m.when]);
+    let mut state = varied.initial_state().expect("a state");
+    let mut integrator = Integrator::new(1e-10.into());
+    varied.advance(&mut state, 1.0.into(), &mut integrator).expect("a motion");
+    varied.advance(&mut state, 0.0.into(), &mut integrator).expect("a motion");
+    are_near(state.b().position.x.by, [0.0, 0.0, 0.0], 1e-8);
+    are_near(state.b().velocity.x.by, [1.0, 0.0, 0.0], 1e-8);
+}
+
+/// The state at the jump depends on the parameters as the place does; what follows does as without a stop.
+#[test]
+fn an_event_at_the_jump_of_a_force_has_derivatives() {
+    let varied = Braked::default().with_derivatives(|m| [&mut m.speed, &mut m.brake, &mut m.edge]);
+    let mut state = varied.initial_state().expect("a state");
+    let mut integrator = Integrator::new(1e-10.into());
+    let event = |state: &BrakedState<Gradient<f64, 3>>| state.b().position.x - varied.edge;
+    assert!(varied.advance_until(&mut state, 1.0.into(), &mut integrator, event).expect("an event"));
+    // t = e/v
+    assert!((state.t.value - 0.5).abs() < 1e-14);
+    are_near(state.t.by, [-0.25, 0.0, 0.5], 1e-8);
+    are_near(state.b().position.x.by, [0.0, 0.0, 1.0], 1e-8);
+    are_near(state.b().velocity.x.by, [1.0, 0.0, 0.0], 1e-8);
+    varied.advance(&mut state, 1.0.into(), &mut integrator).expect("a motion");
+    let (position, speed) = braked([2.0, 3.0, 1.0], 1.0);
+    are_near(state.b().position.x.by, position, 1e-8);
+    are_near(state.b().velocity.x.by, speed, 1e-8);
+}
+
+mechanism! {
+    /// A crane whose car is moved within a given time, by a law with an acceleration that jumps at its end.
+    pub(crate) mechanism Crane {
+        param duration: Time = 2s;
+        param way: Length = 3m;
+        gravity = (0m_s2, -9.81m_s2);
+        body car { }
+        body load { mass = 1kg;  center = (0m, -2m); }
+        joint rail = translational((1, 0), (0m, 0m), car.position);
+        joint pin = revolute(car.position, load.position);
+        drive move_it = drive_x(car.position, way * harmonic(t / duration));
+        freedom swing = load.angle from 0deg;
+    }
+}
+
+#[test]
+fn a_motion_behind_the_end_of_a_law_depends_on_its_duration() {
+    let swing = |duration: f64, way: f64| {
+        let crane = Crane { duration, way };
+        let mut state = crane.initial_state().expect("a state");
+        crane.advance(&mut state, 3.0, &mut Integrator::new(1e-13)).expect("a motion");
+        state.load().angle
+    };
+    let varied = Crane::default().with_derivatives(|m| [&mut m.duration, &mut m.way]);
+    let mut state = varied.initial_state().expect("a state");
+    varied.advance(&mut state, 3.0.into(), &mut Integrator::new(1e-11.into())).expect("a motion");
+    let h = 1e-4;
+    let differences =
+        [swing(2.0 + h, 3.0) - swing(2.0 - h, 3.0), swing(2.0, 3.0 + h) - swing(2.0, 3.0 - h)].map(|change| change / (2.0 * h));
+    let found = state.load().angle.by;
+    assert!(found.iter().zip(&differences).all(|(found, right)| (found - right).abs() < 1e-6), "{found:?}, not {differences:?}");
+}
+
+mechanism! {
+    /// A crank with a torque that jumps at an angle, before a rocker.
+    pub(crate) mechanism Pushed {
+        param torque: Torque = 2Nm;
+        param until: Angle = 1.5rad;
+        param heavy: Mass = 2kg;
+        ground { point C = (400mm, 0mm); }
+        body crank { point A = (100mm, 0mm);  mass = 1kg;  inertia = 0.02kgm2; }
+        body coupler { point B = (350mm, 0mm);  mass = heavy;  center = (175mm, 0mm);  inertia = 0.02kgm2; }
+        body rocker { point B = (300mm, 0mm);  mass = 1kg;  inertia = 0.03kgm2;  start angle = 115deg; }
+        joint o = revolute(ground.position, crank.position);
+        joint a = revolute(crank.A, coupler.position);
+        joint b = revolute(coupler.B, rocker.B);
+        joint c = revolute(rocker.position, ground.C);
+        force push = { on crank: if crank.angle > until { -torque } else { torque }; }
+        freedom turn = crank.angle from 0.5rad at 4rad_s;
+    }
+}
+
+#[test]
+fn a_jump_beside_loops_has_the_derivatives_of_differences() {
+    let angle = |[torque, until, heavy]: [f64; 3]| {
+        let pushed = Pushed { torque, until, heavy };
+        let mut state = pushed.initial_state().expect("a state");
+        pushed.advance(&mut state, 0.5, &mut Integrator::new(1e-13)).expect("a motion");
+        state.rocker().angle
+    };
+    let varied = Pushed::default().with_derivatives(|m| [&mut m.torque, &mut m.until, &mut m.heavy]);
+    let mut state = varied.initial_state().expect("a state");
+    varied.advance(&mut state, 0.5.into(), &mut Integrator::new(1e-11.into())).expect("a motion");
+    let (middle, h) = ([2.0, 1.5, 2.0], 1e-4);
+    let differences = [0, 1, 2].map(|k| {
+        let at = |change: f64| {
+            let mut values = middle;
+            values[k] += change;
+            angle(values)
+        };
+        (at(h) - at(-h)) / (2.0 * h)
+    });
+    assert!(differences[1].abs() > 0.01, "the place matters: {differences:?}");
+    are_near(state.rocker().angle.by, differences, 1e-6);
+}
+
+/// A call may begin just before an event.
+#[test]
+fn an_event_just_after_the_beginning_has_derivatives() {
+    for before in [1e-3, 1e-7, 1e-9, 1e-12] {
+        let varied = Braked { edge: 9.0, ..Default::default() }.with_derivatives(|m| [&mut m.speed, &mut m.brake, &mut m.edge]);
+        let mut state = varied.initial_state().expect("a state");
+        let mut integrator = Integrator::new(1e-10.into());
+        varied.advance(&mut state, (0.5 - before).into(), &mut integrator).expect("a motion");
+        let event = |state: &BrakedState<Gradient<f64, 3>>| state.b().position.x - Gradient::from(1.0);
+        assert!(varied.advance_until(&mut state, 1.0.into(), &mut integrator, event).expect("an event"), "{before}");
+        // t = 1 m / v
+        assert!((state.t.value - 0.5).abs() < 1e-14, "{before}: {:?}", state.t);
+        are_near(state.t.by, [-0.25, 0.0, 0.0], 1e-12);
+    }
+}
+
+mechanism! {
+    /// A ball that falls.
+    pub(crate) mechanism Falling {
+        gravity = (0m_s2, -10m_s2);
+        body b { mass = 1kg;  inertia = 0.01kgm2; }
+        freedom place = b.position from (0m, 5m);
+        freedom turn = b.angle;
+    }
+}
+
+/// 4 m are fallen after √(2 · 4 m / 10 m/s²); what is zero from there on became so then.
+#[test]
+fn an_event_that_stays_zero_is_found_where_it_became_so() {
+    let events: [fn(&FallingState<f64>) -> f64; 3] = [
+        |state| (state.b().position.y - 1.0).max(0.0),
+        |state| if state.b().position.y > 1.0 { 1.0 } else { 0.0 },
+        |state| state.b().position.y - 1.0,
+    ];
+    for (number, event) in events.into_iter().enumerate() {
+        let falling = Falling::default();
+        let mut state = falling.initial_state().expect("a state");
+        let is_found = falling.advance_until(&mut state, 3.0, &mut Integrator::new(1e-9), event).expect("a motion");
+        assert!(is_found && (state.t - 0.8_f64.sqrt()).abs() < 1e-14, "{number}: {}", state.t);
+    }
+}
