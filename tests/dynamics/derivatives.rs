@@ -393,6 +393,45 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// A ball that falls onto a ground by the law of Hertz.
+    pub(crate) mechanism Hopper {
+        param stiffness: Force = 1e5N;
+        param exponent: Number = 1.5;
+        param height: Length = 100mm;
+        gravity = (0m_s2, -9.81m_s2);
+        body ball { mass = 1kg; }
+        joint rail = translational((0, 1), (0m, 0m), ball.position);
+        force contact = { at ball.position: (0N, stiffness * max(-ball.y / 1m, 0) ^ exponent); }
+        freedom fall = ball.y from height;
+    }
+}
+
+#[test]
+fn a_contact_by_the_law_of_hertz_has_the_derivatives_of_differences() {
+    let after = |[stiffness, exponent, height]: [f64; 3]| {
+        let hopper = Hopper { stiffness, exponent, height };
+        let mut state = hopper.initial_state().expect("a state");
+        hopper.advance(&mut state, 0.3, &mut Integrator::new(1e-13)).expect("a motion");
+        state.ball().position.y
+    };
+    let varied = Hopper::default().with_derivatives(|hopper| [&mut hopper.stiffness, &mut hopper.exponent, &mut hopper.height]);
+    let mut state = varied.initial_state().expect("a state");
+    assert!(state.ball().acceleration.y.by.iter().all(|by| by.is_finite()));
+    varied.advance(&mut state, 0.3.into(), &mut Integrator::new(1e-12.into())).expect("a motion");
+    let middle = [1e5, 1.5, 0.1];
+    for (k, h) in [100.0, 1e-4, 1e-5].into_iter().enumerate() {
+        let at = |change: f64| {
+            let mut values = middle;
+            values[k] += change;
+            after(values)
+        };
+        let right = (at(h) - at(-h)) / (2.0 * h);
+        let found = state.ball().position.y.by[k];
+        assert!((found / right - 1.0).abs() < 1e-4, "{k}: {found}, not {right}");
+    }
+}
+
 #[test]
 fn a_power_that_rests_at_zero_has_derivatives() {
     let varied = Hertzian::default().with_derivatives(|hertzian| [&mut hertzian.speed]);

@@ -126,6 +126,43 @@ fn a_power_of_a_negative_base_has_no_value_and_no_derivative() {
     assert_eq!([at.value, at.rate, at.acceleration], [0.0; 3]);
 }
 
+mechanism! {
+    /// Powers of a depth that is zero for half of the time.
+    mechanism Pressed {
+        param hard: Number = 1.5;
+        body crank { }
+        joint pivot = revolute(ground.position, crank.position);
+        drive motor = drive_angle(crank, 1rad_s * t);
+        output hertzian = max(t / 1s, 0) ^ 1.5;
+        output other = max(0, t / 1s) ^ 1.3;
+        output given = max(t / 1s, 0) ^ hard;
+        output root = max(t / 1s, 0) ^ 0.5;
+    }
+}
+
+/// t ≤ 0: zero with all derivatives. Above, tⁿ.
+#[test]
+fn powers_of_a_positive_part_have_derivatives_on_both_sides() {
+    let pressed = Pressed::default();
+    for t in [-2.0, -1e-9, 0.0] {
+        let state = pressed.solve(t).expect("a state");
+        for output in [pressed.hertzian(&state), pressed.other(&state), pressed.given(&state), pressed.root(&state)] {
+            assert_eq!([output.value, output.rate, output.acceleration], [0.0; 3], "{t}");
+        }
+    }
+    let state = pressed.solve(2.0).expect("a state");
+    let each = [(pressed.hertzian(&state), 1.5), (pressed.other(&state), 1.3), (pressed.given(&state), 1.5), (pressed.root(&state), 0.5)];
+    for (output, n) in each {
+        let right = [2f64.powf(n), n * 2f64.powf(n - 1.0), n * (n - 1.0) * 2f64.powf(n - 2.0)];
+        let found = [output.value, output.rate, output.acceleration];
+        assert!(found.iter().zip(&right).all(|(found, right)| (found - right).abs() < 4e-15), "{n}: {found:?}, not {right:?}");
+    }
+    // An exponent that is not positive has no value at zero.
+    let pressed = Pressed::<f64> { hard: -1.0 };
+    let output = pressed.given(&pressed.solve(-2.0).expect("a state"));
+    assert!(!output.value.is_finite(), "{output:?}");
+}
+
 #[test]
 fn a_direction_that_vanishes_is_named() {
     let failure = Guide { across: 0.0 }.solve(0.0).expect_err("no direction");
