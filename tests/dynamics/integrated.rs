@@ -476,7 +476,9 @@ fn a_speed_that_is_driven_may_jump() {
         for tolerance in [1e-5, 1e-9, 1e-12] {
             let hurried = Hurried { first, second, ..Default::default() };
             let mut state = hurried.initial_state().expect("a state");
-            hurried.advance(&mut state, 1.0, &mut reuleaux::Integrator::new(tolerance)).unwrap_or_else(|stopped| panic!("{second}: {stopped}"));
+            hurried
+                .advance(&mut state, 1.0, &mut reuleaux::Integrator::new(tolerance))
+                .unwrap_or_else(|stopped| panic!("{second}: {stopped}"));
             let right = 0.5 * (first + second);
             assert!((state.blade().position.x - right).abs() < 1e-14, "{first}, {second}: {}", state.blade().position.x);
         }

@@ -69,7 +69,8 @@ where
     let (mut near, mut far) = ((T::ZERO, from.qdd), ((next.t - from.t).without_derivatives(), next.qdd));
     for _ in 0..HALVINGS {
         let whole = change(&near.1, &far.1);
-        if !(whole > T::of(SMALL) * size) {
+        let jumps = whole > T::of(SMALL) * size;
+        if !jumps {
             return None;
         }
         let middle = T::of(0.5) * (near.0 + far.0);
@@ -78,7 +79,8 @@ where
         }
         let middle = (middle, varied_state(mechanism, from, (0, T::ZERO, T::ZERO), middle)?.qdd);
         let (first, second) = (change(&near.1, &middle.1), change(&middle.1, &far.1));
-        if !(first.max(second) > T::of(SMOOTH) * (first + second)) {
+        let is_uneven = first.max(second) > T::of(SMOOTH) * (first + second);
+        if !is_uneven {
             return None;
         }
         if first > second { far = middle } else { near = middle }
@@ -162,7 +164,8 @@ where
     while is_after(far)? == was_after {
         reach = reach * T::of(GROWTH);
         (near, far) = (far, jump.later + reach);
-        if !(reach.abs() <= longest) {
+        let is_short = reach.abs() <= longest;
+        if !is_short {
             return None;
         }
     }
