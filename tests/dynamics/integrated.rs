@@ -483,6 +483,15 @@ fn a_speed_that_is_driven_may_jump() {
             assert!((state.blade().position.x - right).abs() < 1e-14, "{first}, {second}: {}", state.blade().position.x);
         }
     }
+    // In a sweep, and until a place is passed.
+    let hurried = Hurried::default();
+    let times = [0.25, 0.5, 0.75, 1.0];
+    let places = hurried.sweep(times, reuleaux::Integrator::new(1e-9)).map(|state| state.expect("a motion").blade().position.x);
+    assert!(places.zip([0.5, 1.0, 1.25, 1.5]).all(|(found, right)| (found - right).abs() < 1e-14));
+    let mut state = hurried.initial_state().expect("a state");
+    let event = |state: &HurriedState<f64>| state.blade().position.x - 1.25;
+    let is_found = hurried.advance_until(&mut state, 2.0, &mut reuleaux::Integrator::new(1e-9), event).expect("a motion");
+    assert!(is_found && (state.t - 0.75).abs() < 1e-14, "{}", state.t);
     // Along an arc: the chord of each half.
     let (w, first, second) = (0.8, 2.0, 1.0);
     let hurried = Hurried { first, second, turning: w };

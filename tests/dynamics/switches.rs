@@ -52,6 +52,35 @@ fn a_force_that_jumps_at_a_time_has_the_derivatives_of_its_closed_form() {
     are_near(state.b().velocity.x.by, [1.0, -0.7, 3.0], 1e-8);
 }
 
+/// At a loose tolerance, from t = 0 on, a small force, a late instant: the jump is found in steps of any size.
+#[test]
+fn derivatives_do_not_depend_on_the_size_of_steps() {
+    for (brake, when, tolerance) in [(3.0, 1e-3, 1e-4), (0.005, 1e-3, 1e-4), (0.005, 0.3, 1e-4), (3.0, 60.0, 1e-9)] {
+        let varied =
+            Braked { brake, when, edge: 1e3, ..Default::default() }.with_derivatives(|m| [&mut m.speed, &mut m.brake, &mut m.when]);
+        let mut state = varied.initial_state().expect("a state");
+        let end = when + 0.7;
+        varied.advance(&mut state, end.into(), &mut Integrator::new(tolerance.into())).expect("a motion");
+        are_near(state.b().position.x.by, [end, -0.245, brake * 0.7], 1e-7 * end.max(1.0));
+        are_near(state.b().velocity.x.by, [1.0, -0.7, brake], 1e-7);
+    }
+}
+
+/// By implicit steps, and at the times of a sweep.
+#[test]
+fn stiff_steps_and_sweeps_follow_derivatives_across_a_jump() {
+    let varied = Braked::default().with_derivatives(|m| [&mut m.speed, &mut m.brake, &mut m.edge]);
+    let (position, speed) = braked([2.0, 3.0, 1.0], 1.0);
+    let mut state = varied.initial_state().expect("a state");
+    varied.advance(&mut state, 1.0.into(), &mut Integrator::stiff(1e-9.into())).expect("a motion");
+    are_near(state.b().position.x.by, position, 1e-8);
+    are_near(state.b().velocity.x.by, speed, 1e-8);
+    let times = [0.25, 0.5, 0.75, 1.0].map(Gradient::from);
+    let last = varied.sweep(times, Integrator::new(1e-9.into())).last().expect("states").expect("a motion");
+    are_near(last.b().position.x.by, position, 1e-8);
+    are_near(last.b().velocity.x.by, speed, 1e-8);
+}
+
 /// Backwards in time the force that acted ends.
 #[test]
 fn derivatives_are_followed_backwards_across_a_jump() {
@@ -175,12 +204,25 @@ fn an_event_just_after_the_beginning_has_derivatives() {
     }
 }
 
+/// An event may be an acceleration, which the motion does not carry along.
+#[test]
+fn an_event_of_an_acceleration_has_derivatives() {
+    let varied = Crane::default().with_derivatives(|m| [&mut m.duration, &mut m.way]);
+    let mut state = varied.initial_state().expect("a state");
+    let event = |state: &CraneState<Gradient<f64, 2>>| state.car().acceleration.x;
+    assert!(varied.advance_until(&mut state, 1.5.into(), &mut Integrator::new(1e-10.into()), event).expect("an event"));
+    // s (1 − cos(π t / T)) / 2 has no acceleration at T/2.
+    assert!((state.t.value - 1.0).abs() < 1e-12, "{:?}", state.t);
+    assert!((state.t.by[0] - 0.5).abs() < 1e-9 && state.t.by[1].abs() < 1e-9, "{:?}", state.t);
+}
+
 mechanism! {
     /// A ball that falls.
     pub(crate) mechanism Falling {
+        param height: Length = 5m;
         gravity = (0m_s2, -10m_s2);
         body b { mass = 1kg;  inertia = 0.01kgm2; }
-        freedom place = b.position from (0m, 5m);
+        freedom place = b.position from (0m, height);
         freedom turn = b.angle;
     }
 }
@@ -199,4 +241,18 @@ fn an_event_that_stays_zero_is_found_where_it_became_so() {
         let is_found = falling.advance_until(&mut state, 3.0, &mut Integrator::new(1e-9), event).expect("a motion");
         assert!(is_found && (state.t - 0.8_f64.sqrt()).abs() < 1e-14, "{number}: {}", state.t);
     }
+}
+
+/// t = √(2 (h − 1 m)/g)
+#[test]
+fn an_event_that_stays_zero_depends_on_parameters_as_it_becomes_so() {
+    let varied = Falling::default().with_derivatives(|m| [&mut m.height]);
+    let mut state = varied.initial_state().expect("a state");
+    let event = |state: &FallingState<Gradient<f64, 1>>| {
+        let above = state.b().position.y - Gradient::from(1.0);
+        if above.value > 0.0 { above } else { Gradient::from(0.0) }
+    };
+    assert!(varied.advance_until(&mut state, 3.0.into(), &mut Integrator::new(1e-10.into()), event).expect("a motion"));
+    let t = 0.8_f64.sqrt();
+    assert!((state.t.value - t).abs() < 1e-13 && (state.t.by[0] - 0.1 / t).abs() < 1e-7, "{:?}", state.t);
 }

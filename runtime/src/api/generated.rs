@@ -93,7 +93,7 @@ pub fn parameter_size<T: Scalar, M: Family<T, Over<T> = M>>(mechanism: &M, numbe
     if size.get() > T::ZERO { size.get() } else { T::of(1.0) }
 }
 
-/// The mechanism with the parameter changed by which the derivatives with this number are taken.
+/// The mechanism with the parameter by which the derivatives with this number are taken changed by `change`.
 #[doc(hidden)]
 pub fn varied<T: Scalar, M: Family<T, Over<T> = M>>(mechanism: &M, number: usize, change: T) -> M {
     M::gather([mechanism], |[parameter]| parameter + change * parameter.derivative(number).unwrap_or(T::ZERO))

@@ -47,7 +47,8 @@ pub trait Dynamics<T: Scalar, const N: usize, const I: usize, const M: usize, co
         T::of(1.0)
     }
 
-    /// The mechanism with the parameter of a number changed by `change`, in SI; `None` if there are no parameters.
+    /// The mechanism with the parameter by which the derivatives with this number are taken changed by `change`, in SI; `None` if there are no
+    /// parameters.
     fn varied(&self, _number: usize, _change: T) -> Option<Self>
     where
         Self: Sized,

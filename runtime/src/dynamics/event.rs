@@ -22,8 +22,8 @@ const SLOW: usize = 3;
 /// Part of a step, the value of the event there, and the state.
 type Instant<T, const N: usize> = (T, T, State<T, N>);
 
-/// A first step is a hundredth of the time in which a state changes.
-const HUNDRED: f64 = 100.0;
+/// In a first step a state changes by a hundredth.
+const CHANGE_IN_FIRST_STEPS: f64 = 100.0;
 
 /// Corrections of the derivatives of an instant; each leaves a part √ε of their error.
 const DERIVATIVES: usize = 2;
@@ -99,6 +99,16 @@ where
     Ok(None)
 }
 
+/// Whether an event is zero before it is zero.
+enum Zeros {
+    /// It was not zero yet.
+    Unknown,
+    /// It is zero at one instant.
+    Single,
+    /// It stays zero.
+    Many,
+}
+
 /// The state at which an event has the value zero, between two at which it has different signs.
 ///
 /// * `whole`, `exactly`: given, the size of the step, and the state at a part of it.
@@ -116,16 +126,23 @@ where
 {
     let bare = |instant: &Instant<T, N>| (instant.0.without_derivatives(), instant.1.without_derivatives());
     let (mut low, mut high) = (bare(&before), bare(&after));
-    let end = after.2.clone();
+    let (end, mut zeros) = (after.2.clone(), Zeros::Unknown);
     let (mut found, mut last, mut slow, mut width) = (after, T::ZERO, 0, high.0 - low.0);
     // Regula falsi with halved weights (Illinois), and halves where it is slow.
     for _ in 0..SEARCH {
-        if ((high.0 - low.0) * whole).abs() <= T::EPSILON * (from.t.abs() + (high.0 * whole).abs()) {
+        let width_of_instant = (T::EPSILON * (from.t.abs() + (high.0 * whole).abs()) / whole.abs()).without_derivatives();
+        if high.0 - low.0 <= width_of_instant || matches!(zeros, Zeros::Single) {
             break;
+        }
+        if high.1 == T::ZERO && matches!(zeros, Zeros::Unknown) {
+            // What is zero just before as well became so earlier.
+            let before = exactly((high.0 - width_of_instant).max(low.0))?;
+            zeros = if changes(low.1, before.1.without_derivatives()) { Zeros::Many } else { Zeros::Single };
+            continue;
         }
         let half = (low.0 + high.0) * T::of(0.5);
         let by_values = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
-        // An event that stays zero does not tell where it became so.
+        // An event that stays zero tells nothing about the place where it became so.
         let is_within = by_values > low.0 && by_values < high.0 && slow < SLOW && high.1 != T::ZERO;
         let here = exactly(if is_within { by_values } else { half })?;
         if !changes(low.1, here.1.without_derivatives()) {
@@ -146,7 +163,7 @@ where
     if T::ZERO.derivative(0).is_none() {
         return Ok(found.2);
     }
-    let before = jump_within(mechanism, from, &end).filter(|jump| is_instant(from.t + jump.later - found.2.t, from.t));
+    let before = jump_within(mechanism, from, &end).filter(|jump| is_instant(from.t + jump.later - found.2.t, found.2.t));
     with_derivatives(mechanism, found.2, before.map(|jump| jump.before), event)
 }
 
@@ -174,18 +191,26 @@ where
                 (*to, *rate) = (*to + later * *speed, *rate + later * *acceleration);
             }
         }
-        moved
+        if before.is_none() {
+            refresh(mechanism, &mut moved)?;
+        }
+        Ok::<_, Stopped<T>>(moved)
     };
-    let ahead = (T::of(HUNDRED) * T::ROOT_EPSILON * first_step(mechanism, &found)).without_derivatives();
+    let ahead = (T::of(CHANGE_IN_FIRST_STEPS) * T::ROOT_EPSILON * first_step(mechanism, &found)).without_derivatives();
     for _ in 0..DERIVATIVES {
-        let value = event(&found);
-        let by_parameters = value - value.without_derivatives();
+        let derivatives = |value: T| value - value.without_derivatives();
+        let [later, here, earlier, earliest] = [ahead, T::ZERO, T::ZERO - ahead, T::ZERO - ahead - ahead].map(|time| moved(&found, time));
+        let [later, here, earlier, earliest] = [event(&later?), event(&here?), event(&earlier?), event(&earliest?)];
+        // Where an event stays zero, only values before the instant depend on anything.
+        let (by_parameters, change, time) = match derivatives(here) == T::ZERO && later.without_derivatives() == T::ZERO {
+            false => (derivatives(here), later - earlier, ahead + ahead),
+            true => (derivatives(earlier), earlier - earliest, ahead),
+        };
         if by_parameters == T::ZERO {
             break;
         }
-        let [later, earlier] = [ahead, T::ZERO - ahead].map(|time| event(&moved(&found, time)).without_derivatives());
-        let slope = (later - earlier) / (ahead + ahead);
-        found = moved(&found, T::ZERO - by_parameters / slope);
+        let slope = change.without_derivatives() / time;
+        found = moved(&found, T::ZERO - by_parameters / slope)?;
     }
     refresh(mechanism, &mut found)?;
     Ok(found)

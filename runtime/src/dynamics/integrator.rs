@@ -250,7 +250,6 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
     /// The state after the next accepted step, the rates in its stages, and separately whether a speed jumps within it.
     ///
     /// * `reached`: given, the equations at the end of the step before, if there is one; returned, those at the end of this step.
-    ///
     #[allow(clippy::type_complexity)] // A state and rates.
     fn stepped<S, const N: usize, const I: usize, const M: usize, const R: usize>(
         &mut self,
@@ -296,8 +295,7 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
             let (error, fastest) = error_and_speed;
             if let Ok(Some((mut next, rates))) = tried {
                 keeps_rank::<K, T, S, N, I, M, R>(mechanism, (state, reached.as_ref()), (&next, &there))?;
-                let is_short = is_shortened || h.abs() <= T::of(SHORTENED) * self.longest_made;
-                if T::ZERO.derivative(0).is_some() && is_short {
+                if T::ZERO.derivative(0).is_some() && (is_shortened || h.abs() <= T::of(SHORTENED) * self.longest_made) {
                     with_derivatives_of_instant(mechanism, state, &mut next, &mut there)?;
                 }
                 *reached = Some(there);
@@ -316,11 +314,9 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
             self.rejected += 1;
             is_shortened = true;
             let shorter = if tried.is_err() { T::of(0.2) } else { factor::<T, K>(error, 1.0) };
-            self.step = h.without_derivatives().abs() * shorter;
-            if M == I + S::REDUNDANT && !is_instant(h, state.t) {
-                // Speeds that drives determine may jump: a step as short as an instant is tried before none is short enough.
-                self.step = self.step.max(T::of(0.75 * INSTANT) * T::EPSILON * state.t.without_derivatives().abs());
-            }
+            // A driven speed may jump: a step as short as an instant is tried before none is short enough.
+            let least = if M == I + S::REDUNDANT && !is_instant(h, state.t) { T::of(0.75 * INSTANT) } else { T::ZERO };
+            self.step = (h.abs() * shorter).max(least * T::EPSILON * state.t.abs()).without_derivatives();
             if self.step <= T::of(4.0) * T::EPSILON * state.t.abs() || self.step < T::of(SHORTEST) {
                 return Err(tried.err().unwrap_or_else(|| too_short(mechanism, state)));
             }

@@ -79,9 +79,10 @@ where
     // Positions are rounded to ε / p, p the smallest pivot, and speeds to that over p.
     let pivot = reached.pivots.smallest(&lengths(mechanism), &redundant(mechanism).sizes);
     let tolerance = tolerance.max(T::of(ROUNDING) * T::EPSILON / (pivot * pivot));
-    // Where drives determine all speeds, these may jump: no momentum does. Derivatives of the instant are not known.
+    // If drives determine all speeds, a speed may jump, since no momentum does. With derivatives it may not: that of the instant is unknown.
     let may_jump = M == I + S::REDUNDANT && is_instant(h, from.t) && T::ZERO.derivative(0).is_none();
-    if !may_jump && !is_near(mechanism, trial.end.each_ref(), [&q, &qd], (tolerance, fastest)) {
+    let speeds = if may_jump { &qd } else { &trial.end[1] };
+    if !is_near(mechanism, [&trial.end[0], speeds], [&q, &qd], (tolerance, fastest)) {
         return Err(too_short(mechanism, &State::new(t, q, qd, from.qdd)));
     }
     is_regular(mechanism, t, reached)?;

@@ -211,7 +211,7 @@ impl fmt::Display for Doubt {
                 write!(f, "\nhelp: take it away: two sizes belong to `{gears}`, and pressure angles do not matter; or write `c: {written}`")
             }
             Doubt::PercentageOfFriction { written, instead } => {
-                write!(f, "a coefficient of friction of {written} is hardly met\nhelp: write `{instead}` for {written} per cent")
+                write!(f, "a coefficient of friction of {written} is rare\nhelp: write `{instead}` for {written} per cent")
             }
             Doubt::GravityUpwards { written } => {
                 write!(f, "gravity points upwards here\nhelp: write `-{written}`, or name the number with `let` if it is meant")

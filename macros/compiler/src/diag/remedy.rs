@@ -160,7 +160,7 @@ pub(super) fn of_dimension(wanted: Dim, found: Dim) -> &'static str {
             "\nhelp: for a given force write `force name = actuator(P, Q, F);`, and for the motion `freedom name = …;`"
         }
         (Dim::TORQUE, found) if Dim::ANGLE == found.times(Dim::TIME) => {
-            "\nhelp: a speed is driven by its integral: write `drive name = drive_angle(body, 60rpm * t);`, in space `drive_rotation(joint, 60rpm * t)`; a torque that resists it has a damping, `-0.1Nms_rad * …`"
+            "\nhelp: a speed is driven by its integral: write `drive name = drive_angle(body, 60rpm * t);`, in space `drive_rotation(joint, 60rpm * t)`; a brake is `torsion_damper(one, two, 0.1Nms_rad)`"
         }
         (Dim::FORCE, found) if Dim::LENGTH == found.times(Dim::TIME) => {
             "\nhelp: a speed is driven by its integral: write `drive name = drive_distance(P, Q, 100mm + 10mm_s * t);`"
@@ -172,10 +172,10 @@ pub(super) fn of_dimension(wanted: Dim, found: Dim) -> &'static str {
             "\nhelp: a drag grows with the square of the speed; what grows with the speed is a `damper`"
         }
         (Dim::ANGLE, found) if Dim::ANGLE.times(Dim::TIME) == found => {
-            "\nhelp: an angle is driven without `t`, a rate is multiplied by `t`, an acceleration such as `2rad_s2` by `t^2`"
+            "\nhelp: an angle stands without `t`, a rate is multiplied by `t`, an acceleration such as `2rad_s2` by `t^2`"
         }
         (Dim::LENGTH, found) if Dim::LENGTH.times(Dim::TIME) == found => {
-            "\nhelp: a length is driven without `t`, a rate is multiplied by `t`, an acceleration such as `2mm_s2` by `t^2`"
+            "\nhelp: a length stands without `t`, a rate is multiplied by `t`, an acceleration such as `2mm_s2` by `t^2`"
         }
         (wanted, Dim::ANGLE) if wanted.times(Dim::TIME) == found => "\nhelp: write a rate, such as `2rad_s`",
         (wanted, Dim::LENGTH) if wanted.times(Dim::TIME) == found => "\nhelp: write a rate, such as `2mm_s`",

@@ -3,11 +3,11 @@
 use super::{Arena, Exact, Expr, Node, Unary};
 
 impl Arena {
-    /// A power: multiplications for a whole exponent, a power of the square root for a half-integer, exp and ln otherwise.
+    /// A power, also of a base that is zero.
     pub(crate) fn real_power(&mut self, base: Expr, exponent: Expr) -> Expr {
         let constant = self.as_constant(exponent).map(Exact::to_f64);
-        let is_fractional = constant.is_none_or(|exponent| exponent > 0.0 && exponent.fract() != 0.0);
-        if let Some(inner) = self.inside_positive_part(base).filter(|_| is_fractional) {
+        let may_vanish_at_zero = constant.is_none_or(|exponent| exponent > 0.0 && exponent.fract() != 0.0);
+        if let Some(inner) = self.inside_positive_part(base).filter(|_| may_vanish_at_zero) {
             return self.power_of_positive_part(inner, exponent, constant.is_some());
         }
         let expr = self.by_formula(base, exponent);
@@ -15,6 +15,7 @@ impl Arena {
         if is_smooth_at_zero && self.as_constant(base).is_none() { self.with_zero(base, expr) } else { expr }
     }
 
+    /// Multiplications for a whole exponent, a power of the square root for a half-integer, exp and ln otherwise.
     fn by_formula(&mut self, base: Expr, exponent: Expr) -> Expr {
         let twice = self.as_constant(exponent).map(|exponent| 2.0 * exponent.to_f64());
         let halves = twice.filter(|value| value.fract() == 0.0 && value.abs() <= f64::from(i32::MAX)).map(|value| value as i32);
@@ -54,8 +55,8 @@ impl Arena {
         }
     }
 
-    /// max(x, 0)ⁿ, n not a whole number: for x ≤ 0 it vanishes with all derivatives, which its formula does not tell. An exponent that may
-    /// be negative has no value there.
+    /// max(x, 0)ⁿ: for x ≤ 0 it vanishes with all derivatives, which its formula does not tell. With an exponent that is not positive it has no
+    /// value there.
     fn power_of_positive_part(&mut self, inner: Expr, exponent: Expr, is_positive: bool) -> Expr {
         let (zero, power) = (self.integer(0), self.by_formula(inner, exponent));
         let otherwise = if is_positive { zero } else { self.select(zero, exponent, zero, power) };

@@ -22,7 +22,7 @@ fn number_as_phase(item: &Item) -> Option<Warning> {
     let Item::Joint(joint) = item else { return None };
     let JointBody::Of { kind, arguments } = &joint.body else { return None };
     let bodies = if kind == "planetary" { 3 } else { 2 };
-    if !["planetary", "gear_pair", "belt"].iter().any(|known| kind == known) {
+    if !["planetary", "gear_pair"].iter().any(|known| kind == known) {
         return None;
     }
     let phase = arguments.get(bodies + 2).filter(|_| arguments.iter().all(|argument| argument.name.is_none()))?;

@@ -152,16 +152,17 @@ impl Suspects {
         let period = below.to_string();
         let is_known = below.name().is_some_and(|name| self.periods.contains(&name.to_string()));
         // `t / 1s` is a number of seconds.
-        let is_written = matches!(&below.kind, ExpressionKind::Number { unit, digits } if digits != "1" && quantity::unit(unit).is_some_and(|unit| unit.1 == Dim::TIME));
+        let is_time_unit = |unit: &str| quantity::unit(unit).is_some_and(|unit| unit.1 == Dim::TIME);
+        let is_written = matches!(&below.kind, ExpressionKind::Number { unit, digits } if digits != "1" && is_time_unit(unit));
         let is_minute = ["60s", "1min"].contains(&period.as_str());
         let is_time = |value: &Expression| value.name().is_some_and(|name| name == "t");
         match &above.kind {
             _ if is_time(above) => (is_known || is_written).then(|| format!("1turn * t / {period}")),
             ExpressionKind::Binary(Operator::Mul, factor, time) if is_time(time) => match &factor.kind {
-                ExpressionKind::Number { digits, unit } if unit.is_empty() && is_minute => Some(format!("{digits}rpm * t")),
                 ExpressionKind::Number { digits, unit } if unit.is_empty() && ["90", "180", "360"].contains(&digits.as_str()) => {
                     (is_known || is_written || period == "1s").then(|| format!("{digits}deg * t / {period}"))
                 }
+                ExpressionKind::Number { digits, unit } if unit.is_empty() && is_minute => Some(format!("{digits}rpm * t")),
                 _ => None,
             },
             _ => None,

@@ -71,7 +71,7 @@ pub(crate) fn by_law(name: &Ident, arguments: &[Expression]) -> Option<String> {
         _ => return None,
     };
     let [variable, from, low, to, high] = arguments else { return None };
-    let is_time = variable.name().is_some_and(|name| ["t", "time"].contains(&name.to_string().to_lowercase().as_str()));
+    let is_time = variable.name().is_some_and(|name| name == "t" || name.to_string().eq_ignore_ascii_case("time"));
     let variable = if is_time { "t".to_owned() } else { as_operand(variable) };
     let end = |value: &Expression| format!("{}{}", as_operand(value), if is_time && is_bare(value) { "s" } else { "" });
     let share = match is_zero(from) {
@@ -80,29 +80,35 @@ pub(crate) fn by_law(name: &Ident, arguments: &[Expression]) -> Option<String> {
     };
     Some(match is_zero(low) {
         true => format!("{} * {law}({share})", in_degrees(high).unwrap_or_else(|| as_factor(high))),
-        false => format!("{low} + ({high} - {}) * {law}({share})", as_operand(low)),
+        false => {
+            let [from, to] = [low, high].map(|value| in_degrees(value).unwrap_or_else(|| value.to_string()));
+            let less = in_degrees(low).unwrap_or_else(|| as_operand(low));
+            format!("{from} + ({to} - {less}) * {law}({share})")
+        }
     })
 }
 
-/// The first point of a body in an expression: `body.P`, or `body.position` of a coordinate.
-pub(crate) fn place_in(value: &Expression) -> Option<String> {
+/// The point at which a force may act that depends on a body: the first `body.P` in it, or `body.position`.
+///
+/// * `is_body`: given, true for the name of a body.
+pub(crate) fn place_in(value: &Expression, is_body: impl Fn(&str) -> bool) -> Option<String> {
     let mut found = None;
     value.each(&mut |part| {
         if let ExpressionKind::Field(owner, name) = &part.kind
-            && let Some(body) = owner.name().filter(|body| *body != "ground")
-            && found.is_none()
+            && let Some(body) = owner.name().map(ToString::to_string).filter(|body| is_body(body))
         {
-            let is_point = !["x", "y", "z", "angle", "angular_velocity", "orientation"].iter().any(|word| name == word);
-            found = Some(if is_point { format!("{body}.{name}") } else { format!("{body}.position") });
+            let is_point = name.to_string().starts_with(char::is_uppercase);
+            found.get_or_insert(if is_point { format!("{body}.{name}") } else { format!("{body}.position") });
         }
     });
     found
 }
 
-/// `90d`, an angle in Adams.
+/// `90d` and `-90d`, angles in Adams.
 fn in_degrees(value: &Expression) -> Option<String> {
     match &value.kind {
         ExpressionKind::Number { digits, unit } if unit == "d" || unit == "D" => Some(format!("{digits}deg")),
+        ExpressionKind::Negative(inner) => in_degrees(inner).map(|angle| format!("(-{angle})")),
         _ => None,
     }
 }

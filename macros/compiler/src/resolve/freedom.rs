@@ -80,6 +80,7 @@ impl Elaborator<'_> {
     fn initial(&mut self, written: Option<&ast::Expression>, of: &[Scalar], measure: InferredDim, scope: &Scope) -> Option<Vec<Expr>> {
         let Some(written) = written else { return Some(vec![self.arena.integer(0); of.len()]) };
         let (found, wanted) = (self.quantities(written, scope)?, measure.settled());
+        // Angles are doubted where they are written.
         if wanted != Dim::ANGLE {
             self.bare.note(written, wanted);
         }

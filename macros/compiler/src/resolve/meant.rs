@@ -56,7 +56,8 @@ impl Elaborator<'_> {
         let fact = match word {
             Word::Force => {
                 let first = self.names.frames.get(1).map_or("body", |frame| frame.name.as_str());
-                let place = place_in(written).unwrap_or_else(|| format!("{first}.position"));
+                let is_body = |name: &str| self.names.frames[1..].iter().any(|frame| frame.name == name);
+                let place = place_in(written, is_body).unwrap_or_else(|| format!("{first}.position"));
                 let body = place.split_once('.').map_or(first, |(body, _)| body);
                 let instead = match (&found, is_torque, self.names.ambient) {
                     (Value::Vector(_), ..) => format!("force {name} = {{ at {place}: {value}; }}"),

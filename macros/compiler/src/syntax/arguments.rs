@@ -2,6 +2,7 @@
 
 use super::ast::Argument;
 use super::expression::expression;
+use super::slip::law_as_closure;
 use super::tokens::{Parsed, comma, name, parentheses, wrong};
 use crate::diag::GrammarFact;
 use syn::Token;
@@ -21,12 +22,11 @@ pub(super) fn arguments(input: ParseStream) -> Parsed<Vec<Argument>> {
 /// `value` or `name: value`
 fn argument(input: ParseStream) -> Parsed<Argument> {
     let is_named = input.peek(syn::Ident) && input.peek2(Token![:]) && !input.peek2(Token![::]);
-    if input.peek(syn::Ident) && (input.peek2(Token![=]) || input.peek2(Token![=>])) && !input.peek2(Token![==]) {
+    if input.peek(syn::Ident) && input.peek2(Token![=]) && !input.peek2(Token![==]) {
         let name = name(input, "the name of the argument")?;
         if input.peek(Token![=>]) {
             let arrow = input.parse::<Token![=>]>()?;
-            let instead = expression(input)?.to_string();
-            return wrong(arrow.spans[0], GrammarFact::Misspelt { flaw: "a law is an expression of `t`, not a closure", instead });
+            return wrong(arrow.spans[0], law_as_closure(&name.to_string(), &expression(input)?));
         }
         return wrong(input.span(), GrammarFact::ArgumentByEquals { name: name.to_string() });
     }

@@ -368,20 +368,22 @@ pub(super) fn list(content: ParseStream, room: u16) -> Parsed<Vec<Expression>> {
 /// Refuses `(a: x, b: y)`.
 fn without_names<T>(content: ParseStream, items: Vec<Expression>, room: u16) -> Parsed<T> {
     let first = content.span();
-    let mut items: Vec<String> = items.iter().map(ToString::to_string).collect();
+    let (mut items, mut names) = (items.iter().map(ToString::to_string).collect::<Vec<_>>(), Vec::new());
     while !content.is_empty() {
-        let mut is_diameter = false;
         if content.peek2(Token![:]) {
-            let name = name(content, "a name")?.to_string();
-            is_diameter = ["d", "D", "diameter"].contains(&name.as_str());
+            names.push(name(content, "a name")?.to_string());
             content.parse::<Token![:]>()?;
         }
-        let item = sum(content, room)?;
-        // A shape takes its radius.
-        items.push(if is_diameter { format!("{item} / 2") } else { item.to_string() });
+        items.push(sum(content, room)?.to_string());
         content.parse::<Option<Token![,]>>()?;
     }
-    wrong(first, GrammarFact::Misspelt { flaw: "values in parentheses have no names here", instead: format!("({})", items.join(", ")) })
+    let (flaw, instead) = match (items.as_slice(), names.as_slice()) {
+        ([diameter], [name]) if ["d", "D", "diameter"].contains(&name.as_str()) => {
+            ("a round shape takes its radius, and values in parentheses have no names", format!("({diameter} / 2)"))
+        }
+        _ => ("values in parentheses have no names here", format!("({})", items.join(", "))),
+    };
+    wrong(first, GrammarFact::Misspelt { flaw, instead })
 }
 
 /// The whole number after `^`.

@@ -212,19 +212,19 @@ fn slices_load(input: ParseStream) -> bool {
 }
 
 /// Refuses a word that begins no item. A word of the workshop before braces is a body, before `=` the kind of a joint.
-fn unknown_item<T>(input: ParseStream, keyword: &Ident, ItemContext { is_top, ambient, .. }: ItemContext) -> Parsed<T> {
+fn unknown_item<T>(input: ParseStream, keyword: &Ident, ItemContext { is_top, variable, ambient }: ItemContext) -> Parsed<T> {
     let word = keyword.to_string();
     let rest = input.fork();
     Ident::parse_any(&rest)?;
     let name = rest.parse::<Ident>().ok().map(|name| name.to_string());
     if let (true, Some(name)) = (["point", "axis"].contains(&word.as_str()), &name) {
-        return wrong(keyword, GrammarFact::FeatureOutside { word, name: name.clone(), is_top });
+        return wrong(keyword, GrammarFact::FeatureOutside { word, name: name.clone(), in_component: !is_top && variable.is_none() });
     }
     let sets_solver = rest.peek(Token![=]) && ["solver", "integrator", "method", "tolerance", "simulation"].contains(&word.as_str());
     if is_command(&word) && name.is_none() && (rest.peek(token::Paren) || sets_solver) {
         return wrong(keyword, GrammarFact::UnknownItem { word, name, home: None });
     }
-    if let (Some(name), true) = (&name, rest.peek(token::Paren) && word.starts_with(char::is_uppercase)) {
+    if let (Some(name), true) = (&name, rest.peek(token::Paren) && word.starts_with(char::is_uppercase) && home(&word, ambient).is_none()) {
         let instead = format!("part {name} = {word}{};", statement_text(&rest)?);
         return wrong(
             keyword,

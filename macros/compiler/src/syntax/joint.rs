@@ -132,7 +132,9 @@ pub(super) fn energy(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
     let ahead = input.fork();
     if ahead.parse::<Option<Token![=]>>()?.is_some() && ahead.peek(token::Brace) {
         let (content, range) = braces(&ahead)?;
-        if let Ok(value) = expression(&content) {
+        if let Ok(value) = expression(&content)
+            && (content.is_empty() || content.peek(Token![;]) && content.cursor().token_tree().is_some_and(|(_, rest)| rest.eof()))
+        {
             let instead = format!("energy {name} = {value};");
             return wrong(range, GrammarFact::Misspelt { flaw: "an energy is one value, without braces", instead });
         }

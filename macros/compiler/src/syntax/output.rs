@@ -26,6 +26,7 @@ pub(super) fn output(input: ParseStream, docs: Docs) -> Parsed<OutputItem> {
         if let ExpressionKind::List(names) = &value.kind
             && before.parse::<Option<Token![=]>>()?.is_some()
             && let ExpressionKind::Tuple(values) | ExpressionKind::List(values) = expression(&before)?.kind
+            && names.len() == values.len()
         {
             let each = names.iter().zip(&values).map(|(name, value)| format!("output {name} = {value};"));
             let instead = each.collect::<Vec<_>>().join(" ");

@@ -65,15 +65,22 @@ fn closure(input: ParseStream<'_>) -> Option<(String, ParseBuffer<'_>)> {
 /// Refuses `|t| value`.
 pub(super) fn no_closure(input: ParseStream, room: u16) -> Parsed<()> {
     let Some((variable, inside)) = closure(input) else { return Ok(()) };
-    let Ok(value) = sum(&inside, room) else { return Ok(()) };
-    let (flaw, instead) = match variable.as_str() {
-        "x" | "s" | "d" | "length" | "angle" | "phi" | "theta" | "v" => (
-            "a law of another quantity than `t` is a function, and is given by its name",
-            format!("function law({variable}: Length) -> Force = {value};"),
-        ),
-        _ => ("a law is an expression of `t`, not a closure", value.to_string()),
+    match sum(&inside, room) {
+        Ok(value) => wrong(input.span(), law_as_closure(&variable, &value)),
+        Err(_) => Ok(()),
+    }
+}
+
+/// A closure in the place of a law: of `t` it is an expression, of another quantity a function.
+pub(super) fn law_as_closure(variable: &str, value: &Expression) -> GrammarFact {
+    let dimensions = match variable {
+        "x" | "s" | "d" | "l" | "length" => "Length) -> Force",
+        "angle" | "phi" | "theta" => "Angle) -> Torque",
+        "v" => "Velocity) -> Force",
+        _ => return GrammarFact::Misspelt { flaw: "a law is an expression of `t`, not a closure", instead: value.to_string() },
     };
-    wrong(input.span(), GrammarFact::Misspelt { flaw, instead })
+    let flaw = "a law of another quantity than `t` is a function, and is given by its name";
+    GrammarFact::Misspelt { flaw, instead: format!("function law({variable}: {dimensions} = {value};") }
 }
 
 /// Refuses `&ground.O` and `{100mm, 0mm}`.
@@ -207,7 +214,7 @@ pub(super) fn no_quotation(literal: &Lit) -> Parsed<()> {
     match text.value() {
         name if [".csv", ".txt", ".dat", ".tsv", ".json"].iter().any(|ending| name.ends_with(ending)) => {
             let flaw = "files are read by programs: a table has its points here, or is a function of Rust";
-            wrong(literal.span(), GrammarFact::Misspelt { flaw, instead: "table(t, [(0s, 0deg), (1s, 30deg), (2s, 90deg)])".to_owned() })
+            wrong(literal.span(), GrammarFact::Misspelt { flaw, instead: "table(t, [(0s, …), (1s, …), (2s, …)])".to_owned() })
         }
         name if is_name(&name) => wrong(literal.span(), GrammarFact::Misspelt { flaw: "names have no quotation marks", instead: name }),
         _ => Ok(()),

@@ -2,7 +2,7 @@
 
 /// Names of functions, the reason why there is none of these names, if it is not obvious, and what to write.
 const FUNCTIONS: [(&[&str], &str, &str); 50] = [
-    (&["ramp"], "", "write a rate by the time since it begins, `2rad_s * max(t - 1s, 0s)`; from 0 to 1 leads `linear(t / 1s)`"),
+    (&["ramp"], "", "write a rate by the time since it begins, `2rad_s * max(t - 1s, 0s)`; `linear(t / 1s)` rises from 0 to 1"),
     (&["pow", "powi", "powf", "power", "sqr", "square", "squared"], "", "a power is written `a^b`"),
     (&["cbrt"], "", "for x > 0 it is the power `x^(1/3)`"),
     (&["hypot"], "", "write `sqrt(a^2 + b^2)`"),

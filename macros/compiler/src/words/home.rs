@@ -19,7 +19,7 @@ pub enum Home {
     Nothing,
 }
 
-/// Words for what is done with a mechanism, in Rust.
+/// Words for what is done with a mechanism, or checked of it, in Rust.
 const COMMANDS: [&str; 18] = [
     "solve",
     "solver",
@@ -41,7 +41,7 @@ const COMMANDS: [&str; 18] = [
     "require",
 ];
 
-/// True for a word of what is done with a mechanism.
+/// True for one of these words.
 pub(crate) fn is_command(word: &str) -> bool {
     COMMANDS.contains(&word)
 }

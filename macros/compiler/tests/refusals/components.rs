@@ -64,7 +64,7 @@ crate::refusals! {
     item component_with_the_name_of_loads: "component «Loads»() {}" => "a component cannot be called `Loads`: a generated type would have that name\nhelp: choose another name";
     item component_with_the_name_of_points: "component «Points»() {}" => "a component cannot be called `Points`: a generated type would have that name\nhelp: choose another name";
     item component_in_a_component: "component Leg() { «component» Foot() {} }" => "`component` stands in the mechanism itself, not in a component or a loop\nhelp: move it out";
-    item ground_in_a_component: "component Leg() { «ground» { } }" => "`ground` stands in the mechanism itself, not in a component or a loop\nhelp: move it out; a component is given its points and axes as parameters, such as `P: Point` and `a: Axis`";
+    item ground_in_a_component: "component Leg() { «ground» { } }" => "`ground` stands in the mechanism itself, not in a component or a loop\nhelp: move it out; a component takes points and axes of ground as parameters, such as `P: Point` and `a: Axis`";
     item parameter_of_a_component_twice: "component Leg(P: Point, «P»: Axis) {}" => "the name `P` is taken: another parameter has it\nhelp: choose another name";
     item kind_is_mistyped: "component Leg(P: «Pint») {}" => "no parameter can take `Pint`\nhelp: did you mean `Point`?";
     item default_before_none: "component Leg(a: Length = 1m, «b»: Length) {}" => "`b` needs a default, since the parameter before it has one\nhelp: put it before those with a default";

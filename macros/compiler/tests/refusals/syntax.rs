@@ -1,8 +1,15 @@
 //! Mistakes of grammar.
 
 crate::refusals! {
+    item a_joint_as_in_modelica: "«Revolute» pin(ground.C, ram.B);" => "`Revolute` is no item of a mechanism\nhelp: write `joint pin = revolute(P, Q);`";
+    item a_depth_with_a_name: "body b { mass = 1kg; inertia = block(20mm, «d»: 5mm); }" => "values in parentheses have no names here\nhelp: write `(20mm, 5mm)`";
+    item a_closure_of_an_angle: "let law = «|»phi| 2Nm_rad * phi;" => "a law of another quantity than `t` is a function, and is given by its name\nhelp: write `function law(phi: Angle) -> Torque = 2Nm_rad * phi;`";
+    item an_arrow_of_a_length: "drive again = drive_x(ram.position, x «=»> 2 * x);" => "a law of another quantity than `t` is a function, and is given by its name\nhelp: write `function law(x: Length) -> Force = 2 * x;`";
+    item a_step_of_adams_between_degrees: "let a = «STEP»(time, 0, 10d, 1, -90d);" => "no function is called `STEP`\nhelp: did you mean `10deg + ((-90deg) - 10deg) * smooth_step(t / 1s)`?";
+    item a_point_in_a_loop: "for i in 0..3 { «point» P[i] = (1mm, 0mm); }" => "`point` belongs in ground or in a body\nhelp: write it there, as in `ground { point P = …; }`";
+    item more_names_than_outputs: "output «[a, b, c]» = (1, 2);" => "an output has a name of its own\nhelp: write `output name = [a, b, c];`";
     item a_choice_as_a_force: "body w { mass = 1kg; } freedom p = w.position; freedom q = w.angle; force load = «if w.y > 0mm { 5N } else { 0N }»;" => "`if w.y > 0mm { 5N } else { 0N }` is a value, and a force says where it acts\nhelp: write `force load = { at w.position: (0N, if w.y > 0mm { 5N } else { 0N }); }`\nhelp: or call a law, such as `spring(P, Q, stiffness: 500N_m)`: there are `spring`, `damper`, `spring_damper`, `nonlinear_spring`, `actuator`, `constant_force`, `gas_spring`, `stop`, `stop_along`, `friction`, `drag`, `motor`, `torsion_spring`, `torsion_damper`, `torsion_spring_damper`, `nonlinear_torsion_spring`, `torsion_stop`, `torsion_friction` and `bushing`";
-    item a_table_in_a_file: "drive again = drive_x(ram.position, table(«\"motion.csv\"»));" => "files are read by programs: a table has its points here, or is a function of Rust\nhelp: write `table(t, [(0s, 0deg), (1s, 30deg), (2s, 90deg)])`";
+    item a_table_in_a_file: "drive again = drive_x(ram.position, table(«\"motion.csv\"»));" => "files are read by programs: a table has its points here, or is a function of Rust\nhelp: write `table(t, [(0s, …), (1s, …), (2s, …)])`";
     item an_arrow_as_a_law: "drive again = drive_angle(ram, t «=»> speed * t);" => "a law is an expression of `t`, not a closure\nhelp: write `speed * t`";
     item a_closure_of_a_length: "let law = «|»x| 100N_m * x;" => "a law of another quantity than `t` is a function, and is given by its name\nhelp: write `function law(x: Length) -> Force = 100N_m * x;`";
     item outputs_in_a_list: "output «[a, b]» = (1, 2);" => "every output has a name and a value of its own\nhelp: write `output a = 1; output b = 2;`";
@@ -21,14 +28,14 @@ crate::refusals! {
     item a_vector_in_braces: "body b { point P = «{100mm, 0mm}»; }" => "a vector has parentheses\nhelp: write `(100mm, 0mm)`";
     item a_name_in_quotation_marks: "body «\"wheel\"» { }" => "names have no quotation marks\nhelp: write `wheel`";
     item a_range_as_a_pair: "range t in «(0s, 1s)»;" => "bounds stand on both sides of `..=`\nhelp: write `in 0s..=1s`";
-    item a_diameter_of_a_disk: "body b { mass = 1kg; inertia = disk(«d»: 100mm); }" => "values in parentheses have no names here\nhelp: write `(100mm / 2)`";
+    item a_diameter_of_a_disk: "body b { mass = 1kg; inertia = disk(«d»: 100mm); }" => "a round shape takes its radius, and values in parentheses have no names\nhelp: write `(100mm / 2)`";
     item an_axis_with_a_zero_in_a_call: "joint again = revolute(ground.O, (0, 1) «from» (1, 0), crank.O);" => "expected `,` or `)`, found `from`\nhelp: declare the axis in a body or in ground, `axis a = (0, 0, 1) from (1, 0, 0);`, and give its name here";
     item an_axis_of_a_component: "component Leg() { «axis» side = (1, 0); }" => "`axis` belongs in a body, or in the ground of the mechanism\nhelp: declare it there, `ground { axis side = …; }`, and give it to the component, `side: Axis`";
     item a_point_of_a_component: "component Leg() { «point» P = (1mm, 0mm); }" => "`point` belongs in a body, or in the ground of the mechanism\nhelp: declare it there, `ground { point P = …; }`, and give it to the component, `P: Point`";
     item a_speed_of_turns: "drive again = drive_angle(ram, «2turn_s» * t);" => "no unit is called `turn_s`\nhelp: `1turn_s` is `60rpm`";
     item an_angle_in_the_degrees_of_adams: "let a = «90D»;" => "no unit is called `D`\nhelp: `1D` is `1deg`";
     item a_step_of_adams_in_degrees: "let a = «STEP»(time, 0, 0, 1, 90d);" => "no function is called `STEP`\nhelp: did you mean `90deg * smooth_step(t / 1s)`?";
-    item a_ramp_of_one_argument: "let a = «ramp»(t);" => "no function is called `ramp`\nhelp: write a rate by the time since it begins, `2rad_s * max(t - 1s, 0s)`; from 0 to 1 leads `linear(t / 1s)`";
+    item a_ramp_of_one_argument: "let a = «ramp»(t);" => "no function is called `ramp`\nhelp: write a rate by the time since it begins, `2rad_s * max(t - 1s, 0s)`; `linear(t / 1s)` rises from 0 to 1";
     item an_angle_of_two_lengths: "let a = «atan»(1mm, 2mm);" => "`atan` takes 1 argument, found 2\nhelp: write `atan2(y, x)`";
     item a_body_called_table: "body «table» { }" => "`table` has a meaning of its own in expressions\nhelp: choose another name, such as `table_1`";
     item a_carrier_in_the_place_of_a_phase: "joint mesh = gear_pair(crank, ram, 20, 40, «ground»);" => "`c` of `gear_pair` takes a number, found a body\nhelp: a body that carries both axes has its name, `carrier: …`";

@@ -275,6 +275,22 @@ fn bare_numbers_in_the_place_of_quantities_are_doubted() {
     }
 }
 
+/// `from 50` is 50 m, and `at 3000` 3000 rad/s.
+#[test]
+fn bare_starts_of_freedoms_are_doubted() {
+    let doubts = |freedoms: &str| {
+        let source = format!("mechanism M {{ body b {{ mass = 1kg; inertia = 1kgm2; point P = (100mm, 0mm); }} {freedoms} }}");
+        let compiled =
+            reuleaux_compiler::compile(source.parse().expect("tokens")).unwrap_or_else(|refusals| panic!("{freedoms}: {refusals:?}"));
+        compiled.model.doubts.iter().map(|warning| warning.doubt.to_string()).collect::<Vec<String>>()
+    };
+    let far = "`50` has no unit: it is 50 m, where no other length exceeds 100 mm\nhelp: write `50mm`, or `50m` if it is meant";
+    assert_eq!(doubts("freedom x = b.x from 50; freedom y = b.y; freedom turn = b.angle;"), [far]);
+    let fast = "`3000` has no unit: it is 3000 rad/s, 28648 rpm\nhelp: write `3000rpm`, or `3000rad_s` if it is meant";
+    assert_eq!(doubts("freedom x = b.position; freedom turn = b.angle from 0 at 3000;"), [fast]);
+    assert_eq!(doubts("freedom x = b.position from (1, 2); freedom turn = b.angle from 0 at 60;"), Vec::<String>::new());
+}
+
 /// Expressions that are valid, and often meant otherwise.
 #[test]
 fn expressions_that_are_often_meant_otherwise_are_doubted() {
@@ -317,6 +333,7 @@ fn expressions_that_are_often_meant_otherwise_are_doubted() {
     assert_eq!(plane("drive d = drive_angle(b, t / 2s);"), periods("t / 2s", "1turn * t / 2s"));
     assert_eq!(plane("drive d = drive_angle(b, 90 * t / 1s);"), periods("90 * t / 1s", "90deg * t / 1s"));
     assert_eq!(plane("drive d = drive_angle(b, 3000 * t / 60s);"), periods("3000 * t / 60s", "3000rpm * t"));
+    assert_eq!(plane("drive d = drive_angle(b, 360 * t / 60s);"), periods("360 * t / 60s", "360deg * t / 60s"));
     let rise =
         "`cycloidal(t / 2s)` leads from 0 to 1, and as an angle to 1 rad\nhelp: write `90deg * cycloidal(t / 2s)` for a quarter of a turn";
     assert_eq!(plane("drive d = drive_angle(b, cycloidal(t / 2s));"), [rise]);
@@ -365,7 +382,7 @@ fn expressions_that_are_often_meant_otherwise_are_doubted() {
         let pad = "friction(ground.position, (1, 0), c.position, 20N, «», 1mm_s)".replace("«»", coefficient);
         plane(&format!("body c {{ mass = 1kg; }} force f = {pad};"))
     };
-    let percentage = "a coefficient of friction of 20 is hardly met\nhelp: write `0.2` for 20 per cent";
+    let percentage = "a coefficient of friction of 20 is rare\nhelp: write `0.2` for 20 per cent";
     assert_eq!(pad("20"), [percentage]);
     assert_eq!(pad("0.2"), Vec::<String>::new());
     let spring = |force: &str| plane(&format!("body c {{ point P = (1m, 0m); mass = 1kg; }} force k = {force};"));

@@ -27,7 +27,7 @@ pub enum GrammarFact {
     UnknownItem { word: String, name: Option<String>, home: Option<Home> },
     UnknownBodyItem { word: String, is_point: bool },
     MassOfGround { word: String },
-    FeatureOutside { word: String, name: String, is_top: bool },
+    FeatureOutside { word: String, name: String, in_component: bool },
     HashComment,
     CommaAtEnd,
     DecimalComma,

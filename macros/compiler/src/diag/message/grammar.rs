@@ -362,7 +362,7 @@ impl Display for GrammarFact {
             GrammarFact::MassOfGround { word } => {
                 write!(f, "ground does not move: its `{word}` would change nothing\nhelp: take it away, or write it in a body")
             }
-            GrammarFact::FeatureOutside { word, name, is_top: false } => {
+            GrammarFact::FeatureOutside { word, name, in_component: true } => {
                 let parameter = if word == "axis" { "Axis" } else { "Point" };
                 write!(f, "`{word}` belongs in a body, or in the ground of the mechanism")?;
                 write!(
@@ -431,7 +431,7 @@ impl Display for GrammarFact {
             GrammarFact::OnlyAtTheTop { word } => {
                 let place = if word == "input" { "a component" } else { "a component or a loop" };
                 write!(f, "`{word}` stands in the mechanism itself, not in {place}\nhelp: move it out")?;
-                let of_components = "; a component is given its points and axes as parameters, such as `P: Point` and `a: Axis`";
+                let of_components = "; a component takes points and axes of ground as parameters, such as `P: Point` and `a: Axis`";
                 if word == "ground" { write!(f, "{of_components}") } else { Ok(()) }
             }
             GrammarFact::StartInLoop => write!(f, "a body starts once: `start` cannot be repeated\nhelp: move it out of the loop"),

@@ -145,6 +145,7 @@ impl Display for NameFact {
                 write!(f, "`{name}` is a {kind}, not a function\nhelp: write `{item} name = {name}(…);`")
             }
             NameFact::UnknownFunction { name, near, .. }
+                // A product is the line to type, with the arguments as written.
                 if near.as_ref().is_none_or(|near| foreign(name).is_some() && !near.contains('*')) =>
             {
                 write!(f, "no function is called `{name}`")?;
