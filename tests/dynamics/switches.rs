@@ -256,3 +256,12 @@ fn an_event_that_stays_zero_depends_on_parameters_as_it_becomes_so() {
     let t = 0.8_f64.sqrt();
     assert!((state.t.value - t).abs() < 1e-13 && (state.t.by[0] - 0.1 / t).abs() < 1e-7, "{:?}", state.t);
 }
+
+/// Of two numbers neither tells how the instant depends on the height.
+#[test]
+fn an_event_without_a_slope_has_no_derivatives() {
+    let varied = Falling::default().with_derivatives(|m| [&mut m.height]);
+    let mut state = varied.initial_state().expect("a state");
+    let event = |state: &FallingState<Gradient<f64, 1>>| Gradient::from(if state.b().position.y.value > 1.0 { 1.0 } else { -1.0 });
+    varied.advance_until(&mut state, 3.0.into(), &mut Integrator::new(1e-10.into()), event).expect_err("no slope");
+}

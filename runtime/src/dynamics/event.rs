@@ -207,7 +207,9 @@ where
             true => (derivatives(earlier), earlier - earliest, ahead),
         };
         if by_parameters == T::ZERO {
-            break;
+            // Values that jump do not tell on what the instant depends.
+            let jumps = here != earlier && earlier == earliest;
+            return if jumps { Err(Stopped::StepTooShort { time: found.t }) } else { refresh(mechanism, &mut found).map(|()| found) };
         }
         let slope = change.without_derivatives() / time;
         found = moved(&found, T::ZERO - by_parameters / slope)?;
