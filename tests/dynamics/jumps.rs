@@ -197,3 +197,48 @@ fn an_acceleration_that_jumps_is_followed() {
     }
     assert!((state.bob().angle - y[0]).abs() < 1e-9, "{} for {}", state.bob().angle, y[0]);
 }
+
+mechanism! {
+    /// A blade on ice whose speed jumps, and whose edge turns.
+    #[integrated]
+    pub(crate) mechanism Hurried {
+        param first: Velocity = 2m_s;
+        param second: Velocity = 1m_s;
+        param turning: AngularVelocity = 0rad_s;
+        body blade { axis edge = (1, 0); }
+        joint ice = { cross(blade.edge, rate(blade.position)) == 0m_s; }
+        drive push = { dot(blade.edge, rate(blade.position)) == if t < 0.5s { first } else { second }; }
+        drive turn = drive_angle(blade, turning * t);
+    }
+}
+
+/// No mass feels the jump of a speed that is driven.
+#[test]
+fn a_speed_that_is_driven_may_jump() {
+    for (first, second) in [(2.0, 1.0), (2.0, 1.99), (-3.0, 5.0)] {
+        for tolerance in [1e-5, 1e-9, 1e-12] {
+            let hurried = Hurried { first, second, ..Default::default() };
+            let mut state = hurried.initial_state().expect("a state");
+            hurried.advance(&mut state, 1.0, &mut Integrator::new(tolerance)).unwrap_or_else(|stopped| panic!("{second}: {stopped}"));
+            let right = 0.5 * (first + second);
+            assert!((state.blade().position.x - right).abs() < 1e-14, "{first}, {second}: {}", state.blade().position.x);
+        }
+    }
+    // In a sweep, and until a place is passed.
+    let hurried = Hurried::default();
+    let times = [0.25, 0.5, 0.75, 1.0];
+    let places = hurried.sweep(times, Integrator::new(1e-9)).map(|state| state.expect("a motion").blade().position.x);
+    assert!(places.zip([0.5, 1.0, 1.25, 1.5]).all(|(found, right)| (found - right).abs() < 1e-14));
+    let mut state = hurried.initial_state().expect("a state");
+    let event = |state: &HurriedState<f64>| state.blade().position.x - 1.25;
+    let is_found = hurried.advance_until(&mut state, 2.0, &mut Integrator::new(1e-9), event).expect("a motion");
+    assert!(is_found && (state.t - 0.75).abs() < 1e-14, "{}", state.t);
+    // Along an arc: the chord of each half.
+    let (w, first, second) = (0.8, 2.0, 1.0);
+    let hurried = Hurried { first, second, turning: w };
+    let mut state = hurried.initial_state().expect("a state");
+    hurried.advance(&mut state, 1.0, &mut Integrator::new(1e-12)).expect("a motion");
+    let middle = 0.5 * w;
+    let right = (first * f64::sin(middle) + second * (w.sin() - f64::sin(middle))) / w;
+    assert!((state.blade().position.x - right).abs() < 1e-11, "{}, not {right}", state.blade().position.x);
+}

@@ -7,6 +7,7 @@ mod assembly;
 mod components;
 mod definitions;
 mod dimensions;
+mod doubts;
 mod duplicates;
 mod forces;
 mod freedoms;

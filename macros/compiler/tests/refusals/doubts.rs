@@ -1,0 +1,414 @@
+//! What is valid and often meant otherwise is a warning; what is surely meant is none.
+
+/// Lengths without a unit cause a warning if they are out of proportion, and only then.
+#[test]
+fn bare_lengths_out_of_proportion_are_doubted() {
+    let doubts = |length: &str, items: &str| -> Vec<String> {
+        let source = format!(
+            "mechanism M {{ {items} body b {{ point A = ({length}, 0mm); point B = (100mm, 0); }}
+                joint o = revolute(ground.position, b.position); drive d = drive_angle(b, 60rpm * t); }}"
+        );
+        let compiled = reuleaux_compiler::compile(source.parse().expect("the source consists of tokens")).expect("it is valid");
+        compiled.model.doubts.iter().map(|warning| warning.doubt.to_string()).collect()
+    };
+    let doubt = |number: &str| {
+        let words = "has no unit: it is # m, where no other length exceeds 100 mm\nhelp: write `#mm`, or `#m` if it is meant";
+        format!("`{number}` {}", words.replace('#', number))
+    };
+    assert_eq!(doubts("350", ""), [doubt("350")]);
+    assert_eq!(doubts("-350", "param l: Length = 20;"), [doubt("20"), doubt("350")]);
+    assert_eq!(
+        doubts("1mm", "for i in 0..2 { body c[i] { point P = (42, 0mm); } joint w[i] = weld(ground.position, c[i].P); }"),
+        [doubt("42")]
+    );
+    for meant in ["350mm", "350m", "0.35", "2", "4.9", "100mm * 350"] {
+        assert_eq!(doubts(meant, ""), [""; 0], "{meant}");
+    }
+}
+
+#[test]
+fn sines_of_bare_numbers_that_are_rather_degrees_are_doubtful() {
+    let doubts = |factor: &str| {
+        let source = format!(
+            "mechanism M {{ let k = {factor}; body b {{ point A = (1m, 0m); }} joint o = revolute(ground.position, b.position);
+             drive d = drive_angle(b, k * 60rpm * t); }}"
+        );
+        let compiled = reuleaux_compiler::compile(source.parse().expect("the source consists of tokens")).expect("it is valid");
+        compiled.model.doubts.iter().map(|warning| warning.doubt.to_string()).collect::<Vec<String>>()
+    };
+    let said = |call: &str, number: &str, instead: &str| {
+        vec![format!("`{number}` has no unit: it is {number} rad\nhelp: write `{instead}`, or `{call}({number}rad)` if it is meant")]
+    };
+    assert_eq!(doubts("sin(30)"), said("sin", "30", "sin(30deg)"));
+    assert_eq!(doubts("cos(-45)"), said("cos", "-45", "cos(-45deg)"));
+    assert_eq!(doubts("2 * tan(7)"), said("tan", "7", "tan(7deg)"));
+    for sure in ["sin(6)", "sin(30deg)", "cos(0.5)", "sin(30rad)", "exp(30)"] {
+        assert_eq!(doubts(sure), Vec::<String>::new(), "{sure}");
+    }
+}
+
+/// A rod with its centre at the origin reaches half of its length to both sides.
+#[test]
+fn rods_without_a_centre_are_doubted_where_a_point_lies_at_their_length() {
+    let doubts = |ambient: &str, body: &str| {
+        let source = format!(
+            "#[equations_only] mechanism M {ambient} {{ param long: Length = 400mm;
+                body b {{ mass = 1kg; {body} }} output place = b.position; }}"
+        );
+        let compiled = reuleaux_compiler::compile(source.parse().expect("tokens")).expect("a body with its mass");
+        compiled.model.doubts.iter().map(|warning| warning.doubt.to_string()).collect::<Vec<String>>()
+    };
+    let said = |point: &str, center: &str, origin: &str| {
+        vec![format!(
+            "`b` has its centre of mass at its origin, so that its rod ends at half the distance of `{point}`\n\
+             help: write `center = {center};`, or `center = {origin};` if the origin is meant"
+        )]
+    };
+    assert_eq!(doubts("", "point A = (300mm, 0mm); inertia = rod(300mm);"), said("A", "(300mm / 2, 0m)", "(0m, 0m)"));
+    assert_eq!(doubts("", "point O = (0m, 0m); point B = (long, 0mm); inertia = rod(long);"), said("B", "(long / 2, 0m)", "(0m, 0m)"));
+    let in_space = "point A = (300mm, 0mm, 0mm); inertia = rod(300mm);";
+    assert_eq!(doubts("in space", in_space), said("A", "(300mm / 2, 0m, 0m)", "(0m, 0m, 0m)"));
+    assert_eq!(doubts("", "point A = (0mm, -300mm); inertia = rod(300mm);"), said("A", "(0m, -300mm / 2)", "(0m, 0m)"));
+    assert_eq!(doubts("", "point A = (-long, 0mm); inertia = rod(long);"), said("A", "(-long / 2, 0m)", "(0m, 0m)"));
+    for sure in [
+        "point A = (300mm, 0mm); center = (0mm, 0mm); inertia = rod(300mm);",
+        "point A = (300mm, 0mm); center = (150mm, 0mm); inertia = rod(300mm);",
+        "point A = (150mm, 0mm); inertia = rod(300mm);",
+        "point A = (300mm, 40mm); inertia = rod(300mm);",
+        "point A = (300mm, 0mm); inertia = disk(300mm);",
+        "axis u = (1, 0); inertia = rod(1m);",
+    ] {
+        assert_eq!(doubts("", sure), Vec::<String>::new(), "{sure}");
+    }
+}
+
+/// Numbers in the place of quantities, wherever they stand.
+#[test]
+fn bare_numbers_in_the_place_of_quantities_are_doubted() {
+    let doubts = |items: &str| {
+        let source = format!(
+            "mechanism M {{ ground {{ axis up = (0, 1); point top = (0mm, 400mm); }} body b {{ mass = 1kg; start y = 100mm; }}
+                joint g = translational(ground.up, ground.position, b.position); {items} }}"
+        );
+        let compiled =
+            reuleaux_compiler::compile(source.parse().expect("tokens")).unwrap_or_else(|refusals| panic!("{items}: {refusals:?}"));
+        compiled.model.doubts.iter().map(|warning| warning.doubt.to_string()).collect::<Vec<String>>()
+    };
+    let angle =
+        |number: &str| format!("`{number}` has no unit: it is {number} rad\nhelp: write `{number}deg`, or `{number}rad` if it is meant");
+    let length = |number: &str| {
+        let told = format!("`{number}` has no unit: it is {number} m, where no other length exceeds 400 mm");
+        format!("{told}\nhelp: write `{number}mm`, or `{number}m` if it is meant")
+    };
+    let driven = "drive d = drive_y(b.position, 100mm);";
+    let with = |items: &str| doubts(&format!("{driven} {items}"));
+    assert_eq!(doubts("force s = spring(ground.top, b.position, stiffness: 1000N_m, rest: 200); freedom y = b.y;"), [length("200")]);
+    assert_eq!(with("output far = if b.y < 300 { 1 } else { 2 };"), [length("300")]);
+    assert_eq!(with("output far = b.y - 90;"), [length("90")]);
+    assert_eq!(with("param swing: Angle = 30; output wave = sin(swing);"), [angle("30")]);
+    assert_eq!(with("param swing: Angle = 1rad in 0..=360; output wave = sin(swing);"), [angle("360")]);
+    let wheel = "body wheel { } joint axle = revolute(ground.position, wheel.position);";
+    let turned = |law: &str| with(&format!("{wheel} drive turn = drive_angle(wheel, {law});"));
+    assert_eq!(turned("90 * cycloidal(t / 1s)"), [angle("90")]);
+    assert_eq!(turned("if t < 1s { 90 } else { 2rad }"), [angle("90")]);
+    // Beside the variable of a loop, or by a name.
+    let in_loop = |law: &str| {
+        with(&format!(
+            "for i in 0..2 {{ body wheel[i] {{ }} joint axle[i] = revolute(ground.position, wheel[i].position); drive turn[i] = drive_angle(wheel[i], {law}); }}"
+        ))
+    };
+    assert_eq!(in_loop("1rad_s * t + 120 * i"), [angle("120")]);
+    assert_eq!(in_loop("45deg + (i + 1) * 90"), [angle("90")]);
+    assert_eq!(with("let phase = 90; output wave = sin(phase) + cos(phase);"), [angle("90")]);
+    assert_eq!(with("param phase: Number = 120; output wave = sin(phase * 1.5);"), [""; 0]);
+    assert_eq!(with(&format!("let phase = 120; {wheel} drive turn = drive_angle(wheel, 1rad_s * t + phase);")), [angle("120")]);
+    assert_eq!(
+        with("param phase: Number = 120; output wave = sin(phase);"),
+        ["`120` has no unit: it is 120 rad where it is an angle\nhelp: write `phase: Angle = 120deg`"]
+    );
+    // A component has names of its own.
+    let two =
+        "component C() { let phase = 12deg; body c { } joint o = revolute(ground.position, c.position); drive x = drive_angle(c, phase); }";
+    assert_eq!(with(&format!("let phase = 90; output n = phase + 1; {two} part c = C();")), [""; 0]);
+    assert_eq!(in_loop("1rad_s * t + 120deg * i + 2 * pi * i / 12"), [""; 0]);
+    let table =
+        "drive turn = drive_angle(wheel, 1rad_s * t); output lift = table(wheel.angle, [(0, 0mm), (90, 5mm), (360, 0mm)], periodic);";
+    assert_eq!(with(&format!("{wheel} {table}")), [angle("360")]);
+    let motor = |speed: &str| with(&format!("{wheel} param speed: AngularVelocity = {speed}; drive turn = drive_angle(wheel, speed * t);"));
+    let words = "`1500` has no unit: it is 1500 rad/s, 14324 rpm\nhelp: write `1500rpm`, or `1500rad_s` if it is meant";
+    assert_eq!(motor("1500"), [words]);
+    for sure in [motor("60"), motor("1500rpm"), turned("2 * cycloidal(t / 1s)"), with("output far = b.y - 2;")] {
+        assert_eq!(sure, Vec::<String>::new());
+    }
+}
+
+/// `from 50` is 50 m, and `at 3000` 3000 rad/s.
+#[test]
+fn bare_starts_of_freedoms_are_doubted() {
+    let doubts = |freedoms: &str| {
+        let source = format!("mechanism M {{ body b {{ mass = 1kg; inertia = 1kgm2; point P = (100mm, 0mm); }} {freedoms} }}");
+        let compiled =
+            reuleaux_compiler::compile(source.parse().expect("tokens")).unwrap_or_else(|refusals| panic!("{freedoms}: {refusals:?}"));
+        compiled.model.doubts.iter().map(|warning| warning.doubt.to_string()).collect::<Vec<String>>()
+    };
+    let far = "`50` has no unit: it is 50 m, where no other length exceeds 100 mm\nhelp: write `50mm`, or `50m` if it is meant";
+    assert_eq!(doubts("freedom x = b.x from 50; freedom y = b.y; freedom turn = b.angle;"), [far]);
+    let fast = "`3000` has no unit: it is 3000 rad/s, 28648 rpm\nhelp: write `3000rpm`, or `3000rad_s` if it is meant";
+    assert_eq!(doubts("freedom x = b.position; freedom turn = b.angle from 0 at 3000;"), [fast]);
+    assert_eq!(doubts("freedom x = b.position from (1, 2); freedom turn = b.angle from 0 at 60;"), Vec::<String>::new());
+}
+
+/// Expressions that are valid, and often meant otherwise.
+#[test]
+fn expressions_that_are_often_meant_otherwise_are_doubted() {
+    let doubts = |ambient: &str, items: &str| {
+        let source = format!("#[equations_only] mechanism M {ambient} {{ {items} body b {{ }} output place = b.position; }}");
+        let compiled =
+            reuleaux_compiler::compile(source.parse().expect("tokens")).unwrap_or_else(|refusals| panic!("{items}: {refusals:?}"));
+        compiled.model.doubts.iter().map(|warning| warning.doubt.to_string()).collect::<Vec<String>>()
+    };
+    let raised = |written: &str, meaning: &str, instead: &str| {
+        vec![format!("`{written}` raises the number, too: it is `{meaning}`\nhelp: write `{instead}`, or `{meaning}` if it is meant")]
+    };
+    let plane = |items: &str| doubts("", items);
+    assert_eq!(plane("param a: Area = 20mm^2;"), raised("20mm^2", "(20mm)^2", "20mm2"));
+    assert_eq!(plane("let a = 60min^-1;"), raised("60min^-1", "(60min)^-1", "60rpm"));
+    assert_eq!(plane("let a = 5s^-1;"), raised("5s^-1", "(5s)^-1", "5 / 1s"));
+    assert_eq!(plane("let a = 5mm^3;"), raised("5mm^3", "(5mm)^3", "5 * 1mm^3"));
+    for sure in ["let a = (20mm)^2;", "let a = 1mm^2;", "let a = 20^2;", "let a = 20mm2;"] {
+        assert_eq!(plane(sure), Vec::<String>::new(), "{sure}");
+    }
+    let turns = "`f * t` counts turns, and as an angle it is taken in radians\nhelp: write `1turn * f * t`, or give an `AngularVelocity` instead of a \
+                 `Frequency`";
+    assert_eq!(plane("param f: Frequency = 5; let s = sin(f * t);"), [turns]);
+    assert_eq!(plane("param f: Frequency = 5; let s = sin(2 * pi * f * t);"), Vec::<String>::new());
+    assert_eq!(plane("param f: Frequency = 5; drive d = drive_angle(b, f * t);"), [turns]);
+    assert_eq!(plane("param f: Frequency = 5; drive d = drive_angle(b, 1turn * f * t);"), Vec::<String>::new());
+    let massless = "gravity acts on masses, and no body has one\nhelp: write `mass = 1kg;` in a body, or take `gravity` away";
+    assert_eq!(plane("gravity = (0, -9.81m_s2);"), [massless]);
+    let in_a_part = "gravity = (0, -9.81m_s2); component Weight(P: Point) { body w { mass = 1kg; } joint o = revolute(P, w.position); \
+                     drive d = drive_angle(w, 1rad_s * t); } part w = Weight((1m, 0m));";
+    assert_eq!(plane(in_a_part), Vec::<String>::new());
+    let speed = "`1 / 0.5s` is a number of radians a second\nhelp: write `120rpm` for as many turns, or `rad_s` if radians are meant";
+    assert_eq!(plane("param w: AngularVelocity = 1/0.5s;"), [speed]);
+    for sure in ["param w: AngularVelocity = 2rad / 1s;", "param f: Frequency = 1/0.5s;", "param w: AngularVelocity = 2rad_s;"] {
+        assert_eq!(plane(sure), Vec::<String>::new(), "{sure}");
+    }
+    let periods = |written: &str, instead: &str| vec![format!("`{written}` is taken in radians\nhelp: write `{instead}`")];
+    assert_eq!(plane("param T: Time = 1s; drive d = drive_angle(b, t / T);"), periods("t / T", "1turn * t / T"));
+    assert_eq!(plane("param T: Time = 1s; drive d = drive_angle(b, 360 * t / T);"), periods("360 * t / T", "360deg * t / T"));
+    assert_eq!(plane("drive d = drive_angle(b, t / 2s);"), periods("t / 2s", "1turn * t / 2s"));
+    assert_eq!(plane("drive d = drive_angle(b, 90 * t / 1s);"), periods("90 * t / 1s", "90deg * t / 1s"));
+    assert_eq!(plane("drive d = drive_angle(b, 3000 * t / 60s);"), periods("3000 * t / 60s", "3000rpm * t"));
+    assert_eq!(plane("drive d = drive_angle(b, 360 * t / 60s);"), periods("360 * t / 60s", "360deg * t / 60s"));
+    let rise =
+        "`cycloidal(t / 2s)` leads from 0 to 1, and as an angle to 1 rad\nhelp: write `90deg * cycloidal(t / 2s)` for a quarter of a turn";
+    assert_eq!(plane("drive d = drive_angle(b, cycloidal(t / 2s));"), [rise]);
+    for sure in ["t / 1s", "2 * t / 1s", "90deg * cycloidal(t / 2s)", "1turn * t / 2s"] {
+        assert_eq!(plane(&format!("drive d = drive_angle(b, {sure});")), Vec::<String>::new(), "{sure}");
+    }
+    for sure in ["1turn * t / T", "360deg * t / T", "2 * pi * t / T", "3rad * t / T"] {
+        assert_eq!(plane(&format!("param T: Time = 1s; drive d = drive_angle(b, {sure});")), Vec::<String>::new(), "{sure}");
+    }
+    let degrees = "`b.angle * 180 / pi` is an angle, and outputs of angles are in rad: it is 57 times too large\nhelp: write `b.angle / 1deg` for \
+                   the number of degrees, or `.to_degrees()` in Rust";
+    assert_eq!(plane("output a = b.angle * 180 / pi;"), [degrees]);
+    let swapped =
+        "`carrier` is in the place of the ring gear\nhelp: write `planetary(sun, ring, carrier, …)`: sun gear, ring gear, carrier";
+    let train = |bodies: &str| {
+        plane(&format!("body sun {{}} body ring {{}} body carrier {{}} body ring_carrier {{}} joint p = planetary({bodies}, 24, 72);"))
+    };
+    assert_eq!(train("sun, carrier, ring"), [swapped]);
+    for sure in ["sun, ring, carrier", "sun, ring_carrier, ring", "carrier, ring, sun"] {
+        assert_eq!(train(sure), Vec::<String>::new(), "{sure}");
+    }
+    for sure in [
+        "output a = b.angle;",
+        "output a = 180 / pi;",
+        "output a = b.angle * 90 / pi;",
+        "output a = sin(b.angle) * 180 / pi;",
+        "output a = b.angle * 180Nm / pi;",
+    ] {
+        assert_eq!(plane(sure), Vec::<String>::new(), "{sure}");
+    }
+    let phase = |written: &str, gears: &str| {
+        vec![format!(
+            "`{written}` is `c` of `{gears}`, the angle in which the gears mesh at the start, and no size of a gear\nhelp: take it away: two sizes \
+             belong to `{gears}`, and pressure angles do not matter; or write `c: {written}`"
+        )]
+    };
+    let pair = |sizes: &str| plane(&format!("body c {{}} joint g = gear_pair(b, c, {sizes});"));
+    assert_eq!(pair("20, 40, 20deg"), phase("20deg", "gear_pair"));
+    assert_eq!(pair("20, 40, 60"), phase("60", "gear_pair"));
+    let thirds = plane("body sun {} body ring {} body carrier {} joint p = planetary(sun, ring, carrier, 20, 40, 60);");
+    assert_eq!(thirds, phase("60", "planetary"));
+    for sure in ["20, 40", "20, 40, 0", "20, 40, 30deg", "20, 40, c: 20deg"] {
+        assert_eq!(pair(sure), Vec::<String>::new(), "{sure}");
+    }
+    let pad = |coefficient: &str| {
+        let pad = "friction(ground.position, (1, 0), c.position, 20N, «», 1mm_s)".replace("«»", coefficient);
+        plane(&format!("body c {{ mass = 1kg; }} force f = {pad};"))
+    };
+    let percentage = "a coefficient of friction of 20 is rare\nhelp: write `0.2` for 20 per cent";
+    assert_eq!(pad("20"), [percentage]);
+    assert_eq!(pad("0.2"), Vec::<String>::new());
+    let spring = |force: &str| plane(&format!("body c {{ point P = (1m, 0m); mass = 1kg; }} force k = {force};"));
+    let meant = "help: take the minus away, or name the number with `let` if it is meant";
+    let pushes = format!("`-200N_m` pushes away from rest\n{meant}");
+    assert_eq!(spring("spring((5m, 0m), c.P, -200N_m, rest: 1m)"), [pushes.as_str()]);
+    assert_eq!(spring("torsion_spring(ground, c, stiffness: -5Nm_rad, rest: 0deg)"), [pushes.replace("200N_m", "5Nm_rad")]);
+    let damping = format!("`-3Ns_m` drives the motion instead of damping it\n{meant}");
+    assert_eq!(spring("damper((5m, 0m), c.P, -3Ns_m)"), [damping.as_str()]);
+    assert_eq!(spring("torsion_damper(ground, c, -3Nms_rad)"), [damping.replace("3Ns_m", "3Nms_rad")]);
+    let rest = format!("`-1m` is a length that no spring has\n{meant}");
+    assert_eq!(spring("spring((5m, 0m), c.P, 200N_m, rest: -1m)"), [rest.as_str()]);
+    for sure in ["spring((5m, 0m), c.P, 200N_m, rest: 1m)", "actuator((5m, 0m), c.P, -200N)", "torsion_spring(ground, c, 5Nm_rad, -3deg)"] {
+        assert_eq!(spring(sure), Vec::<String>::new(), "{sure}");
+    }
+    let jumps = "a change of `w` acts over all the time before it: `w * t` jumps\nhelp: a commanded speed is a `param` of a mechanism that is \
+                 `#[integrated]`: see the page on control loops";
+    assert_eq!(plane("input w: AngularVelocity; drive d = drive_angle(b, w * t);"), [jumps]);
+    let gravity =
+        |found: &str| vec![format!("the acceleration of free fall is {found} here, and 9.81 m/s² on Earth\nhelp: write `9.81m_s2`")];
+    assert_eq!(plane("body c { mass = 1kg; } gravity = (0, -9810);"), gravity("9810 m/s²"));
+    assert_eq!(plane("body c { mass = 1kg; } gravity = (0, -1.62m_s2);"), Vec::<String>::new());
+    let upwards = "gravity points upwards here\nhelp: write `-9.81m_s2`, or name the number with `let` if it is meant";
+    assert_eq!(plane("body c { mass = 1kg; } gravity = (0, 9.81m_s2);"), [upwards]);
+    assert_eq!(doubts("in space", "body c { mass = 1kg; } gravity = (0, 0, 9.81m_s2);"), [upwards]);
+    for sure in ["gravity = (9.81m_s2, 0);", "gravity = (0, 1.62m_s2);", "let g = 9.81m_s2; gravity = (0, g);"] {
+        assert_eq!(plane(&format!("body c {{ mass = 1kg; }} {sure}")), Vec::<String>::new(), "{sure}");
+    }
+    let wide = "the inertia of `c` is that of its mass at a distance of 86600 mm, where no length exceeds 300 mm\nhelp: a number without a unit is \
+                in kg m²; write `kgm2`, `kgcm2` or `kgmm2`";
+    let inertia = |inertia: &str| plane(&format!("body c {{ point P = (300mm, 0mm); mass = 2kg; inertia = {inertia}; }}"));
+    assert_eq!(inertia("15000"), [wide]);
+    for sure in ["0.015", "15000kgm2"] {
+        assert_eq!(inertia(sure), Vec::<String>::new());
+    }
+    let center =
+        "`center` is a point here, and the centre of mass of `c` is its origin\nhelp: write `center = (…);` for the centre of mass";
+    assert_eq!(plane("body c { mass = 1kg; point center = (1mm, 0mm); }"), [center]);
+    for sure in ["point center = (1mm, 0mm); center = (1mm, 0mm);", "point center = (0mm, 0mm);"] {
+        assert_eq!(plane(&format!("body c {{ mass = 1kg; {sure} }}")), Vec::<String>::new());
+    }
+    let rod = |point: &str| {
+        doubts("in space", &format!("body c {{ mass = 1kg; point P = {point}; center = (1mm, 0mm, 0mm); inertia = rod(300mm); }}"))
+    };
+    let across = "a rod lies along x, but `P` of `c` lies across it\nhelp: write `inertia = rod(300mm) along turn((0, 0, 1), 90deg);`";
+    assert_eq!(rod("(0mm, 300mm, 0mm)"), [across]);
+    assert_eq!(rod("(0mm, 0mm, -300mm)"), [across.replace("(0, 0, 1), 90deg", "(0, 1, 0), 90deg")]);
+    assert_eq!(rod("(300mm, 0mm, 0mm)"), Vec::<String>::new());
+}
+
+/// The axis of a disk is z, that of a wheel often another one.
+#[test]
+fn disks_across_the_only_axis_are_doubted() {
+    let doubts = |body: &str| {
+        let source = format!("#[equations_only] mechanism M in space {{ body b {{ mass = 1kg; {body} }} output place = b.position; }}");
+        let compiled = reuleaux_compiler::compile(source.parse().expect("tokens")).expect("a body with its mass");
+        compiled.model.doubts.iter().map(|warning| warning.doubt.to_string()).collect::<Vec<String>>()
+    };
+    let across = |shape: &str, turn: &str| {
+        vec![format!("the axis of `{shape}` lies along z, but `n` of `b` lies across it\nhelp: write `inertia = {shape} along {turn};`")]
+    };
+    assert_eq!(doubts("axis n = (1, 0, 0); inertia = disk(200mm);"), across("disk(200mm)", "turn((0, 1, 0), 90deg)"));
+    assert_eq!(doubts("axis n = (0, -1, 0); inertia = cylinder(20mm, 1m);"), across("cylinder(20mm, 1m)", "turn((1, 0, 0), 90deg)"));
+    for sure in [
+        "axis n = (0, 0, 1); inertia = disk(200mm);",
+        "axis n = (1, 0, 0); axis m = (0, 0, 1); inertia = disk(200mm);",
+        "axis n = (1, 0, 1); inertia = disk(200mm);",
+        "axis n = (1, 0, 0); inertia = disk(200mm) along turn((0, 1, 0), 90deg);",
+        "axis n = (1, 0, 0); inertia = ball(200mm);",
+    ] {
+        assert_eq!(doubts(sure), Vec::<String>::new(), "{sure}");
+    }
+}
+
+/// The arms of a cross are at right angles; shafts are in line.
+#[test]
+fn shafts_for_the_arms_of_a_universal_joint_are_told() {
+    let shafts = "`hooke` is given two axes in line, as shafts are; those of a universal joint are the arms of its cross, at right angles\n\
+                  help: declare them across the shafts, such as `axis arm = (0, 0, 1);` in one body and `axis arm = (0, 1, 0);` in the other";
+    let source = |one: &str, two: &str, start: &str| {
+        format!(
+            "mechanism M in space {{
+                param bend: Angle = 20deg;
+                ground {{ axis x = (1, 0, 0); axis out = (cos(bend), sin(bend), 0); }}
+                body one {{ axis x = (1, 0, 0); axis arm = (0, 0, 1); }}
+                body two {{ axis x = (1, 0, 0); axis arm = (0, 1, 0); axis up = (0, 0, 1); start orientation = {start}; }}
+                joint bearing = revolute(ground.position, ground.x, one.position, one.x);
+                joint hooke = universal(one.position, one.{one}, two.position, two.{two});
+                joint seat = parallel_axes(ground.out, two.x);
+                drive motor = drive_rotation(bearing, 60rpm * t);
+            }}"
+        )
+    };
+    let compile = |one: &str, two: &str, start: &str| reuleaux_compiler::compile(source(one, two, start).parse().expect("tokens"));
+    let refused = compile("x", "x", "turn((0, 0, 1), 20deg)").expect_err("shafts that are to be at right angles");
+    let words: Vec<String> = refused.iter().map(|refusal| refusal.fact.message()).collect();
+    assert!(words.iter().all(|words| words.contains(shafts)), "{words:?}");
+    compile("arm", "arm", "turn((0, 0, 1), 20deg)").expect("a shaft with a bend");
+    // An error about other joints keeps its help.
+    let other =
+        "body lever { } joint pivot = spherical(ground.position, lever.position); drive swing = drive_x(lever.position, 1m * t / 1s);";
+    let other = source("x", "x", "turn((0, 0, 1), 20deg)").replace("drive motor", &format!("{other} drive motor"));
+    let refused = reuleaux_compiler::compile(other.parse().expect("tokens")).expect_err("a ball that holds a place");
+    let told = refused.iter().filter(|refusal| refusal.fact.message().contains(shafts));
+    assert!(told.into_iter().all(|refusal| !refusal.fact.message().contains("lever")), "{refused:?}");
+}
+
+/// More than a turn of radians is rather one of degrees.
+#[test]
+fn starts_of_angles_without_unit_are_doubted() {
+    let doubts = |start: &str, coordinate: &str, from: &str| {
+        let source = format!(
+            "mechanism M {{ body b {{ point P = (1m, 0m); mass = 1kg; inertia = 1kgm2; {start} }} joint o = revolute(ground.position, b.position);
+                freedom q = {coordinate} {from}; }}"
+        );
+        let compiled = reuleaux_compiler::compile(source.parse().expect("tokens")).expect("a number is an angle");
+        compiled.model.doubts.iter().map(|warning| warning.doubt.to_string()).collect::<Vec<String>>()
+    };
+    let doubt = |number: &str| {
+        vec![format!("`{number}` has no unit: it is {number} rad\nhelp: write `{number}deg`, or `{number}rad` if it is meant")]
+    };
+    assert_eq!(doubts("start angle = 35;", "b.angle", ""), doubt("35"));
+    assert_eq!(doubts("start angle = -120;", "b.angle", ""), doubt("-120"));
+    assert_eq!(doubts("", "b.angle", "from 60"), doubt("60"));
+    for (start, coordinate, from) in [
+        ("start angle = 6;", "b.angle", ""),
+        ("start angle = 35deg;", "b.angle", "from 35deg"),
+        ("", "b.angle", "from 60rad at 90"),
+        ("start x = 3;", "b.angle", "from -6"),
+    ] {
+        assert_eq!(doubts(start, coordinate, from), [""; 0], "{start} {from}");
+    }
+}
+
+#[test]
+fn drives_that_stand_still_at_a_bare_number_are_doubted() {
+    let doubts = |source: String| {
+        let compiled = reuleaux_compiler::compile(source.parse().expect("tokens")).expect("a number is an angle");
+        compiled.model.doubts.iter().map(|warning| warning.doubt.to_string()).collect::<Vec<String>>()
+    };
+    let plane = |law: &str| {
+        format!("mechanism M {{ body b {{ }} joint o = revolute(ground.position, b.position); drive d = drive_angle(b, {law}); }}")
+    };
+    let space = |law: &str| {
+        format!(
+            "mechanism M in space {{ body b {{ axis z = (0, 0, 1) from (1, 0, 0); }}
+                joint o = revolute((0m, 0m, 0m), (0, 0, 1), b.position, b.z); drive d = drive_rotation(o, {law}); }}"
+        )
+    };
+    let wanted =
+        "`60` has no unit: it is 60 rad, at which the drive stands still\nhelp: write `60rpm * t` for a speed, or `60deg` for an angle";
+    for source in [plane("60"), space("60")] {
+        assert_eq!(doubts(source), [wanted]);
+    }
+    for sure in ["6", "60deg", "60rad", "60rpm * t", "90deg + 60rpm * t", "3 * sin(60rpm * t) + 6", "sin(60 * t / 1s)"] {
+        assert_eq!(doubts(plane(sure)), [""; 0], "{sure}");
+    }
+    let as_a_part = "`90` has no unit: it is 90 rad\nhelp: write `90deg`, or `90rad` if it is meant";
+    for law in ["60rpm * t + 90", "0.5rad - 90", "90 * sin(60rpm * t)", "6 - cos(60rpm * t) * 90", "-(60rpm * t + 90)"] {
+        assert_eq!(doubts(plane(law)), [as_a_part], "{law}");
+    }
+}
