@@ -106,7 +106,7 @@ where
     S: Dynamics<T, N, I, M, R>,
 {
     // Derivatives by parameters may differ where values do not.
-    if T::ZERO.derivative(0).is_some() {
+    if T::HAS_DERIVATIVES {
         return [false; 2];
     }
     let (values, speeds, lengths) = (picked(q, &S::INTEGRATED), picked(qd, &S::INTEGRATED), lengths(mechanism));

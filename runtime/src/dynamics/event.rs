@@ -160,11 +160,11 @@ where
             (slow, width) = (0, high.0 - low.0);
         }
     }
-    if T::ZERO.derivative(0).is_none() {
-        return Ok(found.2);
+    if T::HAS_DERIVATIVES {
+        let before = jump_within(mechanism, from, &end).filter(|jump| is_instant(from.t + jump.later - found.2.t, found.2.t));
+        return with_derivatives(mechanism, found.2, before.map(|jump| jump.before), event);
     }
-    let before = jump_within(mechanism, from, &end).filter(|jump| is_instant(from.t + jump.later - found.2.t, found.2.t));
-    with_derivatives(mechanism, found.2, before.map(|jump| jump.before), event)
+    Ok(found.2)
 }
 
 /// The state at an event with the derivatives of its instant: the search compares values.

@@ -295,7 +295,7 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
             let (error, fastest) = error_and_speed;
             if let Ok(Some((mut next, rates))) = tried {
                 keeps_rank::<K, T, S, N, I, M, R>(mechanism, (state, reached.as_ref()), (&next, &there))?;
-                if T::ZERO.derivative(0).is_some() && (is_shortened || h.abs() <= T::of(SHORTENED) * self.longest_made) {
+                if T::HAS_DERIVATIVES && (is_shortened || h.abs() <= T::of(SHORTENED) * self.longest_made) {
                     with_derivatives_of_instant(mechanism, state, &mut next, &mut there)?;
                 }
                 *reached = Some(there);

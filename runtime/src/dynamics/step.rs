@@ -233,8 +233,11 @@ where
     let rounded = T::of(ROUNDED) * T::EPSILON * state.t.abs() * change / h.abs();
     let scale = slowest + (jumped + rounded) / allowed;
     let of_values = error_of_values([&before, &after], &trial.errors, &lengths, (allowed, scale));
-    let of_derivatives = error_of_derivatives(mechanism, state, trial, h, (tolerance, fastest));
-    (of_values.max(of_derivatives), fastest)
+    if T::HAS_DERIVATIVES {
+        let of_derivatives = error_of_derivatives(mechanism, state, trial, h, (tolerance, fastest));
+        return (of_values.max(of_derivatives), fastest);
+    }
+    (of_values, fastest)
 }
 
 /// Estimated error of a step in positions and speeds, relative to an error allowed.
@@ -259,7 +262,6 @@ fn error_of_values<T: Scalar, const I: usize>(
 /// Estimated error of a step in the derivatives by parameters, relative to the tolerance and to the largest of them.
 ///
 /// Where a force has a kink, values stay smooth enough for long steps, and their derivatives do not.
-#[inline(always)]
 fn error_of_derivatives<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     state: &State<T, N>,
@@ -271,8 +273,7 @@ where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    // Plain numbers have none.
-    if T::ZERO.derivative(0).is_none() || h.abs() <= T::of(SHORT) * T::EPSILON * (state.t.abs() + h.abs()) {
+    if h.abs() <= T::of(SHORT) * T::EPSILON * (state.t.abs() + h.abs()) {
         return T::ZERO;
     }
     let [end, moving] = &trial.end;

@@ -14,6 +14,9 @@ pub trait Scalar: SimdReal<Mask = bool, Signs = DetSign> + PartialOrd {
     /// 0
     const ZERO: Self;
 
+    /// True for numbers that carry derivatives by parameters.
+    const HAS_DERIVATIVES: bool;
+
     /// The nearest `f64`, for messages.
     fn to_f64(self) -> f64;
 
@@ -41,6 +44,7 @@ macro_rules! scalar {
     ($scalar:ident) => {
         impl Scalar for $scalar {
             const ZERO: Self = 0.0;
+            const HAS_DERIVATIVES: bool = false;
 
             #[inline]
             fn to_f64(self) -> f64 {

@@ -293,6 +293,7 @@ impl<T: Float, const P: usize> From<T> for Gradient<T, P> {
 
 impl<T: Float, const P: usize> Scalar for Gradient<T, P> {
     const ZERO: Self = Self { value: T::ZERO, by: [T::ZERO; P] };
+    const HAS_DERIVATIVES: bool = P > 0;
 
     fn to_f64(self) -> f64 {
         self.value.to_f64()
