@@ -265,3 +265,28 @@ fn an_event_without_a_slope_has_no_derivatives() {
     let event = |state: &FallingState<Gradient<f64, 1>>| Gradient::from(if state.b().position.y.value > 1.0 { 1.0 } else { -1.0 });
     varied.advance_until(&mut state, 3.0.into(), &mut Integrator::new(1e-10.into()), event).expect_err("no slope");
 }
+
+mechanism! {
+    /// A top that is braked from the instant on at which a point of it passes a plane.
+    pub(crate) mechanism Spun in space {
+        param w: AngularVelocity = 1rad_s;
+        body top { point P = (100mm, 50mm, 30mm);  mass = 1kg;  inertia = (0.01kgm2, 0.01kgm2, 0.01kgm2); }
+        joint ball = spherical(ground.position, top.position);
+        freedom spin = top.angular_velocity from (0rad_s, 0rad_s, w);
+        force kick = { on top: (0Nm, 0Nm, if top.P.x < 0 { -0.1Nm } else { 0Nm }); }
+    }
+}
+
+/// tan(w t) = 2, dt/dw = −t/w
+#[test]
+fn an_event_in_space_where_a_force_jumps_has_the_derivative_of_its_instant() {
+    let varied = Spun::default().with_derivatives(|m| [&mut m.w]);
+    let mut state = varied.initial_state().expect("a state");
+    let point = [0.1, 0.05, 0.03].map(Gradient::from).into();
+    let event = |state: &SpunState<Gradient<f64, 1>>| state.top().point(point).value.x;
+    assert!(varied.advance_until(&mut state, 5.0.into(), &mut Integrator::new(1e-12.into()), event).expect("a motion"));
+    let t = 2_f64.atan();
+    assert!((state.t.value - t).abs() < 1e-12 && (state.t.by[0] + t).abs() < 1e-9, "{:?}, not {t}", state.t);
+    let turn = state.top().angular_velocity.z;
+    assert!((turn.value - 1.0).abs() < 1e-12 && (turn.by[0] - 1.0).abs() < 1e-9, "{turn:?}");
+}

@@ -91,3 +91,28 @@ fn shared_code_gives_the_same() {
         }
     }
 }
+
+mechanism! {
+    /// One law reads the other wheel in a condition, the other one in terms that cancel: neither has a derivative by it.
+    mechanism Read {
+        body reading { }
+        body cancelling { }
+        body read { }
+        joint first = revolute(ground.position, reading.position);
+        joint second = revolute((1m, 0m), cancelling.position);
+        joint third = revolute((2m, 0m), read.position);
+        drive by_condition = drive_angle(reading, (if read.angle < 1rad { 0.1rad } else { 0.2rad }) + 3rad_s * t);
+        drive by_terms = drive_angle(cancelling, 2rad_s * t + 0.6 * 0.8 * read.angle - 0.8 * 0.6 * read.angle);
+        drive law = drive_angle(read, 1rad_s * t);
+    }
+}
+
+#[test]
+fn a_law_may_depend_on_a_later_drive_without_a_derivative() {
+    for t in [0.3, 0.9, 1.1, 2.0] {
+        let state = Read::default().solve(t).expect("a state");
+        let step = if t < 1.0 { 0.1 } else { 0.2 };
+        assert!((state.reading().angle - step - 3.0 * t).abs() < 1e-15 && (state.cancelling().angle - 2.0 * t).abs() < 1e-15);
+        assert_eq!(state.reading().angular_velocity, 3.0);
+    }
+}

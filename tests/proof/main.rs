@@ -3,6 +3,7 @@
 
 mod kinds;
 mod polished;
+mod space;
 mod wrong;
 
 use reuleaux::nalgebra::SVector;

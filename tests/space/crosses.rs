@@ -1,7 +1,7 @@
 //! The two angles of a universal joint, and the place of a planar joint.
 
-use reuleaux::mechanism;
 use reuleaux::nalgebra::{Rotation3, Vector3};
+use reuleaux::{Coordinate, Description, State, mechanism};
 
 mechanism! {
     /// A head on a cross, turned by both angles of it.
@@ -89,4 +89,60 @@ fn a_bent_shaft_swings_and_nods() {
         assert!((swing.tan() - bend.tan() * phi.cos()).abs() < 1e-14, "φ = {phi}: {swing}");
         assert!((nod.sin().abs() - (bend.sin() * phi.sin()).abs()).abs() < 1e-14, "φ = {phi}: {nod}");
     }
+}
+
+mechanism! {
+    /// A cross whose arm in ground is oblique; the head is named first.
+    #[allow(far_start)]
+    mechanism HeadFirst in space {
+        ground { axis a = (0, 0.6, 0.8) from (0, 1, 0); }
+        body head { axis b = (1, 0, 0) from (0, 1, 1); }
+        joint hook = universal(head.position, head.b, ground.position, ground.a);
+        drive pan = drive_rotation(hook.angle_a, 0.45rad);
+        drive tilt = drive_rotation(hook.angle_b, 0.55rad + 1rad_s * t);
+        output pan_angle = hook.angle_a;
+        output tilt_angle = hook.angle_b;
+    }
+}
+
+mechanism! {
+    /// Hinges named from the door and from the frame, with axes that point against each other.
+    mechanism Doors in space {
+        ground { axis z = (0, 0, 1); }
+        body one { axis z = (0, 0, 1); start orientation = turn((1, 0, 0), 180deg); }
+        body two { axis z = (0, 0, 1); start orientation = turn((1, 0, 0), 180deg); }
+        joint from_door = revolute(one.position, one.z, ground.position, ground.z);
+        joint from_frame = revolute(ground.position, ground.z, two.position, two.z);
+        drive first = drive_rotation(from_door, 30deg + 2rad_s * t);
+        drive second = drive_rotation(from_frame, 40deg + 3rad_s * t);
+    }
+}
+
+/// The coordinate of this name and its rate.
+fn named<M: Description<f64, N>, const N: usize>(_: &M, state: &State<f64, N>, joint: &str, name: &str) -> [f64; 2] {
+    let is_named = |coordinate: &Coordinate| coordinate.body == joint && coordinate.name == name;
+    let index = M::COORDINATES.iter().position(is_named).expect("a coordinate of this name");
+    [state.q[index], state.qd[index]]
+}
+
+#[test]
+fn coordinates_named_like_angles_of_joints_hold_them() {
+    let (head, t) = (Head::default(), 0.4);
+    let state = head.solve(t).expect("a state");
+    let found = [named(&head, &state, "hook", "angle_a"), named(&head, &state, "hook", "angle_b")].concat();
+    let wanted = [0.2 + 1.5 * t, 1.5, -0.3 + 0.7 * t, 0.7];
+    assert!(found.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-14), "{found:?}, not {wanted:?}");
+
+    let first = HeadFirst::default();
+    let state = first.solve(t).expect("a state");
+    let found = [named(&first, &state, "hook", "angle_a"), named(&first, &state, "hook", "angle_b")].concat();
+    let wanted = [0.45, 0.0, 0.95, 1.0];
+    assert!(found.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-14), "{found:?}, not {wanted:?}");
+    assert!((first.pan_angle(&state).value - 0.45).abs() < 1e-14 && (first.tilt_angle(&state).value - 0.95).abs() < 1e-14);
+
+    let doors = Doors::default();
+    let state = doors.solve(t).expect("a state");
+    let found = [named(&doors, &state, "from_door", "angle"), named(&doors, &state, "from_frame", "angle")].concat();
+    let wanted = [30_f64.to_radians() + 0.8, 2.0, 40_f64.to_radians() + 1.2, 3.0];
+    assert!(found.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-14), "{found:?}, not {wanted:?}");
 }

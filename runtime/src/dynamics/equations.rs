@@ -33,6 +33,9 @@ pub trait Dynamics<T: Scalar, const N: usize, const I: usize, const M: usize, co
     /// True if an equation between positions may have a kink, by `if`, `abs` or `sign`.
     const HAS_KINKS: bool = false;
 
+    /// True if forces may have kinks or jump, by `if`, `abs`, `max` or `min`.
+    const FORCES_HAVE_KINKS: bool = false;
+
     /// The mechanism with parameters between the declared defaults (λ = 0) and these (λ = 1); `None` if there are no parameters, or they are the
     /// defaults.
     fn interpolated(&self, _lambda: T) -> Option<Self>
@@ -76,6 +79,11 @@ pub trait Dynamics<T: Scalar, const N: usize, const I: usize, const M: usize, co
 
     /// The side of each kink on which the configuration is, one bit for each; kinks from the 65th on share bits.
     fn sides(&self, _q: &SVector<T, N>, _t: T) -> u64 {
+        0
+    }
+
+    /// The same of the kinks of forces.
+    fn sides_of_forces(&self, _q: &SVector<T, N>, _qd: &SVector<T, N>, _t: T) -> u64 {
         0
     }
 

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::equations::Dynamics;
 use super::looks::{LOOKS, Looks, changes};
 use super::method::Method;
-use super::project::{Reached, refresh};
+use super::project::{Reached, complete, refresh};
 use super::quintic::between;
 use super::step::{first_step, is_instant, land};
 use super::stopped::Stopped;
@@ -191,8 +191,9 @@ where
                 (*to, *rate) = (*to + later * *speed, *rate + later * *acceleration);
             }
         }
-        if before.is_none() {
-            refresh(mechanism, &mut moved)?;
+        match before {
+            Some(accelerations) => complete(mechanism, &mut moved, &accelerations)?,
+            None => refresh(mechanism, &mut moved)?,
         }
         Ok::<_, Stopped<T>>(moved)
     };

@@ -180,7 +180,20 @@ where
     };
     let mut qdd = state.qdd;
     put(&mut qdd, &S::INTEGRATED, &found);
-    let [q, qd, qdd] = mechanism.complete(&state.q, &state.qd, &qdd, state.t);
+    complete(mechanism, state, &qdd)
+}
+
+/// Sets all entries of a state that follow from the integrated ones with these accelerations.
+pub(super) fn complete<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    state: &mut State<T, N>,
+    qdd: &SVector<T, N>,
+) -> Result<(), Stopped<T>>
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let [q, qd, qdd] = mechanism.complete(&state.q, &state.qd, qdd, state.t);
     if !(are_finite(q.as_slice()) && are_finite(qd.as_slice()) && are_finite(qdd.as_slice())) {
         return Err(Stopped::NotFinite { time: state.t });
     }

@@ -232,12 +232,27 @@ where
     let jumped = if may_jump && is_instant(h, state.t) { smaller(change, T::of(JUMP) * slowest) } else { T::ZERO };
     let rounded = T::of(ROUNDED) * T::EPSILON * state.t.abs() * change / h.abs();
     let scale = slowest + (jumped + rounded) / allowed;
-    let of_values = error_of_values([&before, &after], &trial.errors, &lengths, (allowed, scale));
+    let of_values = error_of_values([&before, &after], &trial.errors, &lengths, (allowed, scale), bends(mechanism, state, trial, h));
     if T::HAS_DERIVATIVES {
         let of_derivatives = error_of_derivatives(mechanism, state, trial, h, (tolerance, fastest));
         return (of_values.max(of_derivatives), fastest);
     }
     (of_values, fastest)
+}
+
+/// True if a force has a kink between the ends of a step, or jumps.
+fn bends<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    state: &State<T, N>,
+    trial: &Trial<T, N, I>,
+    h: T,
+) -> bool
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let [end, moving] = &trial.end;
+    S::FORCES_HAVE_KINKS && mechanism.sides_of_forces(&state.q, &state.qd, state.t) != mechanism.sides_of_forces(end, moving, state.t + h)
 }
 
 /// Estimated error of a step in positions and speeds, relative to an error allowed.
@@ -246,6 +261,7 @@ fn error_of_values<T: Scalar, const I: usize>(
     errors: &[[[T; 2]; I]; 2],
     lengths: &[T; I],
     (allowed, speed): (T, T),
+    bends: bool,
 ) -> T {
     let (mut first, mut second) = (T::ZERO, T::ZERO);
     for k in 0..I {
@@ -256,7 +272,7 @@ fn error_of_values<T: Scalar, const I: usize>(
             (first, second) = (first + one * one, second + two * two);
         }
     }
-    combined::<T, I>(first, second)
+    if bends { whole::<T, I>(first, second) } else { combined::<T, I>(first, second) }
 }
 
 /// Estimated error of a step in the derivatives by parameters, relative to the tolerance and to the largest of them.
@@ -314,6 +330,12 @@ fn largest_error_of_derivatives<T: Scalar, const I: usize>(
         worst = worst.max(combined::<T, I>(first, second));
     }
     worst
+}
+
+/// One error of two sums of squares where a force has a kink: either estimate may miss it, according to its place in the step.
+fn whole<T: Scalar, const I: usize>(first: T, second: T) -> T {
+    let count = T::of(2.0) * (0..I).fold(T::ZERO, |count, _| count + T::of(1.0));
+    ((first + T::of(0.01) * second) / count).sqrt()
 }
 
 /// One error of two sums of squares, of which the second damps the first.

@@ -18,11 +18,11 @@ use core::fmt;
 
 use nalgebra::SVector;
 
-use crate::names::{self, Coordinate, CoordinateKind, Culprit, Description, Row};
+use crate::names::{self, Coordinate, CoordinateEntries, CoordinateKind, Culprit, Description, Row};
 use crate::newton::{self, StepError};
 use crate::number::{Float, Real, Scalar};
 use crate::solve::{Family, Solver, Stages, lengths_of};
-use crate::state::State;
+use crate::state::{State, Values};
 
 use ball::Ball;
 pub use moving::Enclosure;
@@ -85,11 +85,14 @@ pub struct EnclosureSolver<const N: usize> {
     off: Cell<Option<usize>>,
 }
 
+/// What a state holds at one index: entries of q, q̇ and q̈.
+type Entries = [Ball; 3];
+
 /// The solution next to a state.
 ///
 /// # Errors
 /// Why it cannot be enclosed.
-fn enclosed<T, E, const N: usize>(mechanism: &E, state: &State<T, N>, alone: bool) -> Result<SVector<Enclosure, N>, Doubt>
+fn enclosed<T, E, const N: usize>(mechanism: &E, state: &State<T, N>, alone: bool) -> Result<SVector<Entries, N>, Doubt>
 where
     T: Float,
     E: Family<T> + Description<T, N>,
@@ -108,10 +111,17 @@ where
     if let Some(row) = solver.off.get() {
         return Err(Doubt::DoesNotHold(names::row(E::ROWS, row)));
     }
-    let is_bounded = |of: &Enclosure| [of.value, of.rate, of.acceleration].iter().all(|ball| ball.magnitude().is_finite());
-    match found.q.iter().position(|of| !is_bounded(of)) {
+    let entries = SVector::<Entries, N>::from_fn(|index, _| {
+        let (q, qd, qdd) = (found.q[index], found.qd[index], found.qdd[index]);
+        match names::entries(E::COORDINATES, index) {
+            CoordinateEntries::Motion => [q.value, q.rate, q.acceleration],
+            // Velocities and third derivatives are no rates of q.
+            CoordinateEntries::Velocity | CoordinateEntries::Jerk => [q.value, qd.value, qdd.value],
+        }
+    });
+    match entries.iter().position(|of| !of.iter().all(|ball| ball.magnitude().is_finite())) {
         Some(index) => Err(Doubt::NoSolution(coordinate(index))),
-        None => Ok(found.q),
+        None => Ok(entries),
     }
 }
 
@@ -122,17 +132,16 @@ where
 fn distance<T: Float, E: Description<T, N>, const N: usize>(
     _: &E,
     state: &State<T, N>,
-    found: &SVector<Enclosure, N>,
+    found: &SVector<Entries, N>,
 ) -> Result<ErrorBound<T, N>, Doubt> {
     let is_bad = |index: &usize| [&state.q, &state.qd, &state.qdd].iter().any(|entries| !entries[*index].is_finite());
     if let Some(index) = (0..N).find(is_bad) {
         return Err(Doubt::NotFinite(names::coordinate(E::COORDINATES, index)));
     }
-    let of = |state: &SVector<T, N>, part: fn(&Enclosure) -> Ball| {
-        SVector::from_fn(|i, _| above((Ball::exact(state[i].to_f64()) - part(&found[i])).magnitude()))
+    let of = |state: &SVector<T, N>, level: usize| {
+        SVector::from_fn(|i, _| above((Ball::exact(state[i].to_f64()) - found[i][level]).magnitude()))
     };
-    let (q, qd, qdd) = (of(&state.q, |of| of.value), of(&state.qd, |of| of.rate), of(&state.qdd, |of| of.acceleration));
-    Ok(ErrorBound { q, qd, qdd })
+    Ok(ErrorBound { q: of(&state.q, 0), qd: of(&state.qd, 1), qdd: of(&state.qdd, 2) })
 }
 
 /// An upper bound in `T`.
@@ -158,8 +167,7 @@ where
     E::Over<Enclosure>: Stages<Enclosure, N>,
 {
     let found = enclosed(mechanism, state, true)?;
-    let is_proven = |of: &Enclosure| [of.value, of.rate, of.acceleration].iter().all(|ball| ball.is_proven);
-    if let Some(index) = found.iter().position(|of| !is_proven(of)) {
+    if let Some(index) = found.iter().position(|of| !of.iter().all(|ball| ball.is_proven)) {
         return Err(Doubt::Unproven(names::coordinate(E::COORDINATES, index)));
     }
     let within = distance(mechanism, state, &found)?;
@@ -183,17 +191,15 @@ where
 {
     let found = enclosed(mechanism, state, true)?;
     // An entry that cannot be distinguished from the solution is kept.
-    let rounded = |entries: &mut SVector<T, N>, part: fn(&Enclosure) -> Ball| {
+    let State { values: Values { q, qd, qdd, .. }, .. } = state;
+    for (level, entries) in [q, qd, qdd].into_iter().enumerate() {
         for (entry, of) in entries.iter_mut().zip(found.iter()) {
-            let is_as_good = (Ball::exact(entry.to_f64()) - part(of)).least() <= 0.0;
+            let is_as_good = (Ball::exact(entry.to_f64()) - of[level]).least() <= 0.0;
             if !is_as_good {
-                *entry = T::of(part(of).center.high);
+                *entry = T::of(of[level].center.high);
             }
         }
-    };
-    rounded(&mut state.q, |of| of.value);
-    rounded(&mut state.qd, |of| of.rate);
-    rounded(&mut state.qdd, |of| of.acceleration);
+    }
     Ok(())
 }
 

@@ -5,6 +5,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use nalgebra::{SMatrix, SVector};
 
 use super::ball::{Ball, ROUNDING};
+use super::system::{excess, inverse, solve_all};
 use super::twofold::Twofold;
 use super::{EnclosureSolver, block, functions};
 use crate::linear::{Elimination, FactorReal, Linear, Small, Sparse};
@@ -243,7 +244,7 @@ impl FactorReal for Enclosure {
         = Sparse<Self, E, K, ENTRIES, FACTORS>
     where
         E: Elimination<Self, K, ENTRIES, FACTORS>;
-    type Dense<const K: usize> = Unsolved;
+    type Dense<const K: usize> = Inverse<K>;
 }
 
 impl SolverReal for Enclosure {
@@ -272,23 +273,36 @@ impl<const N: usize> ColdStart<Enclosure, N> for EnclosureSolver<N> {
     }
 }
 
-/// Placeholder factors: rates are enclosed together with positions, and the rates that emitted code solves for are not used.
-#[derive(Clone, Copy, Debug)]
-pub struct Unsolved;
+/// A matrix with an approximate inverse, by which emitted code solves for rates: the entries of its solutions are enclosed, their rates are
+/// unknown.
+#[derive(Clone, Debug)]
+pub struct Inverse<const K: usize> {
+    matrix: SMatrix<Ball, K, K>,
+    /// R, and an upper bound of |I − R A|; none if A is singular.
+    inverse: Option<[SMatrix<f64, K, K>; 2]>,
+}
 
-impl<const K: usize> Linear<Enclosure, K> for Unsolved {
+impl<const K: usize> Linear<Enclosure, K> for Inverse<K> {
     type Matrix = SMatrix<Enclosure, K, K>;
 
-    fn factor(_: &Self::Matrix) -> Result<Self, usize> {
-        Ok(Self)
+    fn factor(matrix: &Self::Matrix) -> Result<Self, usize> {
+        let matrix = matrix.map(|entry| entry.value);
+        let inverse = inverse(&matrix).map(|inverse| [inverse, excess(&inverse, &matrix)]);
+        Ok(Self { matrix, inverse })
     }
 
     fn dense(matrix: &Self::Matrix) -> SMatrix<Enclosure, K, K> {
         *matrix
     }
 
-    fn solve_regular(&self, _: &SVector<Enclosure, K>) -> SVector<Enclosure, K> {
-        SVector::from_element(Enclosure::at_rest(Ball::anything()))
+    fn solve_regular(&self, b: &SVector<Enclosure, K>) -> SVector<Enclosure, K> {
+        let unknown = Ball::anything();
+        let values = match &self.inverse {
+            Some([inverse, spread]) => solve_all(&self.matrix, inverse, spread, &b.map(|entry| entry.value)),
+            None => SVector::from_element(unknown),
+        };
+        let is_proven = b.iter().all(|entry| entry.value.is_proven) && self.matrix.iter().all(|entry| entry.is_proven);
+        values.map(|value| Enclosure { value: Ball { is_proven, ..value }, rate: unknown, acceleration: unknown })
     }
 
     fn solve(&self, b: &SVector<Enclosure, K>) -> SVector<Enclosure, K> {

@@ -72,6 +72,13 @@ pub(crate) fn coordinate(coordinates: &[Coordinate], index: usize) -> Coordinate
     coordinates.get(index).copied().unwrap_or(Coordinate::angle("?", "?"))
 }
 
+/// The meaning of the entries at an index. Beside the first three entries of a rotation matrix stand ω and ω̇, the rates of none of them.
+pub(crate) fn entries(coordinates: &[Coordinate], index: usize) -> CoordinateEntries {
+    let coordinate = coordinate(coordinates, index);
+    let is_of_matrix = coordinate.kind == CoordinateKind::Number && coordinate.name.starts_with('a');
+    if is_of_matrix { CoordinateEntries::Velocity } else { coordinate.entries }
+}
+
 /// The row with this index; `?` if a hand-written table is too short.
 pub(crate) fn row(rows: &[Row], index: usize) -> Row {
     rows.get(index).copied().unwrap_or(Row { joint: "?", kind: "equation", index: 1, of: 1, unit: "" })

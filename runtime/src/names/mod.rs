@@ -8,7 +8,7 @@ mod plan;
 
 pub use cause::{BranchEnd, Cause, Culprit};
 pub use coordinate::{Coordinate, CoordinateEntries, CoordinateKind, Row};
-pub(crate) use coordinate::{coordinate, row};
+pub(crate) use coordinate::{coordinate, entries, row};
 pub use description::{Description, ParameterOutOfRange};
 pub(crate) use measure::Measure;
 pub use plan::{Operations, Plan, PlanStage};

@@ -14,7 +14,7 @@
 use super::branch::is_same_branch;
 use super::cold::cold_state;
 use crate::linear::difference;
-use crate::names::{self, Coordinate, CoordinateEntries, CoordinateKind};
+use crate::names::{self, Coordinate, CoordinateEntries};
 use crate::number::Float;
 use crate::number::order::{greater, smaller};
 use crate::solve::{ColdSolver, Followed};
@@ -326,7 +326,7 @@ fn combined<T: Float, const N: usize>(
     let Values { q, qd, qdd, .. } = &mut fine.values;
     let add = |entry: &mut T, other: T, share: T| *entry = *entry + share * (*entry - other);
     for i in 0..N {
-        let [of_rate, of_acceleration] = match entries(coordinates, i) {
+        let [of_rate, of_acceleration] = match names::entries(coordinates, i) {
             CoordinateEntries::Motion => [share, of_accelerations],
             CoordinateEntries::Velocity => [of_accelerations; 2],
             CoordinateEntries::Jerk => [share, of_lone],
@@ -336,13 +336,6 @@ fn combined<T: Float, const N: usize>(
         add(&mut qdd[i], coarse.qdd[i], of_acceleration);
     }
     fine
-}
-
-/// The meaning of the entries at an index. Beside the first three entries of a rotation matrix stand ω and ω̇, the rates of none of them.
-fn entries(coordinates: &[Coordinate], i: usize) -> CoordinateEntries {
-    let coordinate = names::coordinate(coordinates, i);
-    let is_of_matrix = coordinate.kind == CoordinateKind::Number && coordinate.name.starts_with('a');
-    if is_of_matrix { CoordinateEntries::Velocity } else { coordinate.entries }
 }
 
 /// The state at `t` of the polynomial of fifth degree through two states, their rates and their accelerations, on the branch of the second;
@@ -360,7 +353,7 @@ fn interpolated<T: Float, const N: usize>(near: &State<T, N>, far: &State<T, N>,
         let value = ((far.q[i] - near.q[i]) - first) - of(0.5) * second;
         let rate = h * (far.qd[i] - near.qd[i]) - second;
         let acceleration = h * h * (far.qdd[i] - near.qdd[i]);
-        let [c3, c4, c5] = match entries(coordinates, i) {
+        let [c3, c4, c5] = match names::entries(coordinates, i) {
             CoordinateEntries::Motion => {
                 let c3 = of(10.0) * value - of(4.0) * rate + of(0.5) * acceleration;
                 let c4 = of(7.0) * rate - of(15.0) * value - acceleration;

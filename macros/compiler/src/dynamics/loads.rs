@@ -336,7 +336,7 @@ impl<'a> LoadMatrix<'a> {
     fn blocks(&self) -> Option<Vec<(Vec<usize>, Vec<usize>)>> {
         let rows: Vec<usize> = self.open[0].iter().copied().collect();
         let entries = |row: &usize| self.entries[*row].keys().map(|column| Entry { unknown: *column, is_pivot: false }).collect();
-        let pattern = Pattern { unknowns: self.lengths.len(), rows: rows.iter().map(entries).collect() };
+        let pattern = Pattern { unknowns: self.lengths.len(), rows: rows.iter().map(entries).collect(), ..Pattern::default() };
         let matching = maximum(&pattern);
         if !matching.free_equations().is_empty() {
             return None;

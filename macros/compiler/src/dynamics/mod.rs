@@ -62,6 +62,8 @@ pub struct Dynamics {
     pub checked: Vec<(usize, Expr, u8)>,
     /// What changes its sign at the kinks of equations between positions.
     pub kinks: Vec<Expr>,
+    /// What changes its sign where forces have kinks, or jump.
+    pub kinks_of_forces: Vec<Expr>,
     /// Lower triangle of the mass matrix, row by row.
     pub mass: Vec<Expr>,
     /// M u̇ − Q at u̇ = 0, by integrated speed.
@@ -117,10 +119,9 @@ fn in_general(arena: &mut Arena, rows: &[MotionRow], redundant: &[MotionRow], le
 }
 
 /// The differences and operands that change their sign where a choice, an absolute value or a sign changes, unless they are constant.
-fn kinks<'a>(arena: &mut Arena, equations: impl Iterator<Item = &'a Equation>) -> Vec<Expr> {
-    let roots: Vec<Expr> = equations.filter_map(Equation::phi).collect();
+fn kinks(arena: &mut Arena, roots: &[Expr]) -> Vec<Expr> {
     let mut found: Vec<Expr> = Vec::new();
-    for expr in arena.reachable(&roots) {
+    for expr in arena.reachable(roots) {
         let kink = match *arena.node(expr) {
             Node::Select { lhs, rhs, .. } => arena.sub(lhs, rhs),
             Node::Unary(Unary::Abs | Unary::Sign, operand) => operand,
@@ -202,7 +203,8 @@ fn reduce(system: &System, structure: &Structure, balance: &Balance) -> Dynamics
     let constraints: Vec<Equation> = solved.iter().map(|row| of_positions[*row].clone()).collect();
     let pivots = |row: &usize| system.pattern.rows[*row].iter().filter(|entry| entry.is_pivot).map(|entry| entry.unknown).collect();
     let pivots: Vec<Vec<usize>> = solved.iter().map(pivots).collect();
-    let kinks = kinks(&mut arena, of_positions.iter().filter(|equation| !equation.is_initial));
+    let positions = of_positions.iter().filter(|equation| !equation.is_initial).filter_map(Equation::phi);
+    let [kinks, kinks_of_forces] = [positions.collect(), forces.clone()].map(|roots: Vec<Expr>| kinks(&mut arena, &roots));
     let by_spins = system.by_spins.as_ref().map(|by_spins| BySpins::plain(&mut arena, &mut known, by_spins));
     let (of_freedoms, of_joints): (Vec<&Equation>, Vec<&Equation>) = of_speeds.iter().partition(|equation| equation.is_initial);
     let departures = initial.iter().chain(of_freedoms.iter().copied()).map(|equation| departure(&mut arena, equation)).collect();
@@ -220,7 +222,7 @@ fn reduce(system: &System, structure: &Structure, balance: &Balance) -> Dynamics
         Some((joint, embedding.of(of_positions[*row].phi()?), dim.power_of_length()))
     });
     let checked = checked.collect();
-    let kinks = kinks.into_iter().map(|expr| embedding.of(expr)).collect();
+    let [kinks, kinks_of_forces] = [kinks, kinks_of_forces].map(|kinks| kinks.into_iter().map(|expr| embedding.of(expr)).collect());
     let mass = embedding.mass(&masses);
     let forces = embedding.forces(&forces);
     let mut state: Vec<[Expr; 3]> = (0..system.coordinates.len()).map(|unknown| embedding.motion(unknown)).collect();
@@ -237,6 +239,7 @@ fn reduce(system: &System, structure: &Structure, balance: &Balance) -> Dynamics
         departures,
         checked,
         kinks,
+        kinks_of_forces,
         mass,
         forces,
         state,

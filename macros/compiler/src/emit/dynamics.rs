@@ -85,7 +85,7 @@ impl Emitter<'_> {
         let accelerations = code.accelerations.as_ref().map(|routine| self.accelerations(code, routine, (n, i)));
         let departures = (!code.departures.results.is_empty()).then(|| self.departures(code, n));
         let checked = (!code.checked_rows.is_empty()).then(|| self.checks(code, n));
-        let sides = (!code.kinks.results.is_empty()).then(|| self.sides(code, n));
+        let sides = [self.sides(code, n), self.sides_of_forces(code, n)];
         let state = fast_lines(self.model, &code.arena, &code.state);
         let (reads_of_state, steps_of_state, parts) = (&state.reads, &state.steps, parts(&state.results));
         let energy = self.energies(&code.arena, &code.energies);
@@ -102,7 +102,7 @@ impl Emitter<'_> {
             }
             #departures
             #checked
-            #sides
+            #(#sides)*
             #accelerations
             #[inline(always)]
             fn complete(&self, #q: &#of_state, #qd: &#of_state, #qdd: &#of_state, #t: T) -> [#of_state; 3] {
@@ -156,23 +156,34 @@ impl Emitter<'_> {
         }
     }
 
-    /// On which side of every kink a place is.
-    fn sides(&self, code: &DynamicsCode, n: usize) -> TokenStream {
-        let [q, t] = ["q", "t"].map(local);
-        let of_state = vector_type(n);
-        let RoutinePrinter { reads, steps, results } = fast_lines(self.model, &code.arena, &code.kinks);
+    /// On which side of every kink of the equations between positions a place is.
+    fn sides(&self, code: &DynamicsCode, n: usize) -> Option<TokenStream> {
+        let ([q, t], of_state) = (["q", "t"].map(local), vector_type(n));
+        let sides = self.sides_of(code, &code.kinks)?;
+        Some(quote! {
+            const HAS_KINKS: ::core::primitive::bool = true;
+            fn sides(&self, #q: &#of_state, #t: T) -> ::core::primitive::u64 { #sides }
+        })
+    }
+
+    /// On which side of every kink of the forces a state is.
+    fn sides_of_forces(&self, code: &DynamicsCode, n: usize) -> Option<TokenStream> {
+        let ([q, qd, t], of_state) = (["q", "qd", "t"].map(local), vector_type(n));
+        let sides = self.sides_of(code, &code.kinks_of_forces)?;
+        Some(quote! {
+            const FORCES_HAVE_KINKS: ::core::primitive::bool = true;
+            fn sides_of_forces(&self, #q: &#of_state, #qd: &#of_state, #t: T) -> ::core::primitive::u64 { #sides }
+        })
+    }
+
+    /// One bit for each kink; `None` if there are none.
+    fn sides_of(&self, code: &DynamicsCode, kinks: &Routine) -> Option<TokenStream> {
+        let RoutinePrinter { reads, steps, results } = fast_lines(self.model, &code.arena, kinks);
         let bits = results.iter().enumerate().map(|(number, kink)| {
             let place = Literal::usize_unsuffixed(number % 64);
             quote!(^ (<::core::primitive::u64 as ::core::convert::From<::core::primitive::bool>>::from(#kink < T::ZERO) << #place))
         });
-        quote! {
-            const HAS_KINKS: ::core::primitive::bool = true;
-            fn sides(&self, #q: &#of_state, #t: T) -> ::core::primitive::u64 {
-                #reads
-                #steps
-                0 #(#bits)*
-            }
-        }
+        (!results.is_empty()).then(|| quote!(#reads #steps 0 #(#bits)*))
     }
 
     /// The checked equation that is off most.

@@ -10,6 +10,7 @@ pub use components::Components;
 pub(crate) use turn::{Rotation, Turn, difference, natural, quaternion, rotated, turned_tensor};
 
 use crate::expr::{Arena, Binary, Expr, Triple, cross, dot, unit};
+use std::collections::BTreeMap;
 
 /// Three perpendicular unit vectors fixed in a body or in ground: x, y, and the axis z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -53,6 +54,12 @@ impl Triad {
             Some(body) => self.axes.map(|axis| arena.turned(body, axis)),
             None => self.axes,
         }
+    }
+
+    /// The triad after a quarter of a turn about z, with its x axis along y.
+    pub(crate) fn quarter_turned(self, arena: &mut Arena) -> Triad {
+        let [x, y, z] = self.axes;
+        Triad { body: self.body, axes: [y, x.map(|part| arena.neg(part)), z] }
     }
 
     /// The triad after half a turn about one of its axes: that axis stays, the other two are reversed.
@@ -140,6 +147,8 @@ pub struct Geometry {
     pub relations: Vec<(usize, usize, Relationship)>,
     /// Angles and displacements of joints, each with its expression, which is marked with its number here.
     pub quantities: Vec<(JointQuantity, Expr)>,
+    /// By joint that makes two axes perpendicular, their triads.
+    pub arms: BTreeMap<usize, [Triad; 2]>,
     /// How axes are directed that joints make parallel.
     pub facing: Facing,
 }

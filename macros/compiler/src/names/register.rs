@@ -124,6 +124,8 @@ pub(crate) struct Notes {
     /// Points whose difference has these components: the second minus the first.
     pub(crate) differences: Lookup<[Expr; 3], (Place, Place)>,
     pub(crate) triads: Lookup<(Place, Option<Triple>), Triad>,
+    /// By z axis, the triad that was last asked for.
+    pub(crate) latest: Lookup<Place, Triad>,
 }
 
 /// A value that depends on parameters alone and must be finite.

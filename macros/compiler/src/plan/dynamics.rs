@@ -17,6 +17,8 @@ pub struct DynamicsCode {
     pub integrated: Vec<usize>,
     /// What changes its sign at the kinks of equations.
     pub kinks: Routine,
+    /// What changes its sign at the kinks of forces.
+    pub kinks_of_forces: Routine,
     /// Joint of each equation at t = 0, and whether it counts between positions and between speeds.
     pub initial_rows: Vec<(usize, [bool; 2])>,
     /// Dimension of each of these equations, as a power of a length.
@@ -81,6 +83,7 @@ pub(super) fn code(model: &Model, system: &System, dynamics: &Dynamics) -> Dynam
     DynamicsCode {
         integrated: integrated.clone(),
         kinks: line(dynamics.kinks.clone()),
+        kinks_of_forces: line(dynamics.kinks_of_forces.clone()),
         initial_rows: all.iter().map(level).collect(),
         powers: all.iter().map(|row| row.power).collect(),
         rows: rows.len(),

@@ -154,12 +154,16 @@ impl Elaborator<'_> {
     fn triad(&mut self, axis: Fixed) -> Option<Triad> {
         let own = place(axis)?;
         let zero = axis.zero.and_then(Components::in_space);
-        if let Some(known) = self.space.triads.get(&(own, zero)) {
-            return Some(*known);
-        }
-        let toward = zero.unwrap_or_else(|| self.some_direction_across(own.local));
-        let triad = Triad::along(&mut self.arena, own, toward);
-        self.space.triads.insert((own, zero), triad);
+        let triad = match self.space.triads.get(&(own, zero)) {
+            Some(known) => *known,
+            None => {
+                let toward = zero.unwrap_or_else(|| self.some_direction_across(own.local));
+                let triad = Triad::along(&mut self.arena, own, toward);
+                self.space.triads.insert((own, zero), triad);
+                triad
+            }
+        };
+        self.space.latest.insert(Place { body: triad.body, local: triad.axes[2] }, triad);
         Some(triad)
     }
 
@@ -257,6 +261,12 @@ impl Elaborator<'_> {
             let found = (1..=3.min(exprs.len() - at)).rev().find_map(|length| self.space.origins.get(&exprs[at..at + length]).copied());
             if let Some(relation) = found {
                 self.space.geometry.relations.push((joint, at, relation));
+                // The joint has just named the axes that it makes perpendicular.
+                if let Relationship::Perpendicular(one, two) = relation
+                    && let (Some(one), Some(two)) = (self.space.latest.get(&one), self.space.latest.get(&two))
+                {
+                    self.space.geometry.arms.insert(joint, [*one, *two]);
+                }
             }
             at += found.map_or(1, |relation| relation.rows());
         }

@@ -1,6 +1,6 @@
 //! Strongly connected components: unknowns that can only be found together, in the order of solution (block triangular form).
 //!
-//! The nodes of the graph are matched pairs; an edge leads to every pair whose unknown occurs in the equation of the first pair.
+//! The nodes of the graph are matched pairs; an edge leads to every pair whose unknown the equation of the first pair needs.
 //! Reference: Tarjan (1972), Depth-first search and linear graph algorithms; here without recursion.
 
 use super::matching::Matching;
@@ -42,7 +42,7 @@ impl Tarjan<'_> {
         let mut path = vec![(root, 0)];
         self.enter(root);
         while let Some((equation, next)) = path.last().copied() {
-            let Some(entry) = self.pattern.rows[equation].get(next) else {
+            let Some(entry) = self.pattern.needed(equation).nth(next) else {
                 path.pop();
                 self.leave(equation);
                 if let Some((above, _)) = path.last() {

@@ -43,7 +43,7 @@ impl<'a> Tearing<'a> {
         let mut lacks = BTreeMap::new();
         let mut can_be_explicit = BTreeSet::new();
         for equation in group {
-            let inside = pattern.rows[*equation].iter().filter(|entry| missing.contains(&entry.unknown));
+            let inside = pattern.needed(*equation).filter(|entry| missing.contains(&entry.unknown));
             let mut count = 0;
             for entry in inside {
                 count += 1;
@@ -73,7 +73,7 @@ impl<'a> Tearing<'a> {
             if self.used.contains(&equation) || self.lacks.get(&equation) != Some(&1) {
                 continue;
             }
-            let missing = self.pattern.rows[equation].iter().find(|entry| self.missing.contains(&entry.unknown));
+            let missing = self.pattern.needed(equation).find(|entry| self.missing.contains(&entry.unknown));
             let Some(entry) = missing.filter(|entry| entry.is_pivot) else { continue };
             self.used.insert(equation);
             self.block.explicit.push(Explicit { unknown: entry.unknown, equation });

@@ -221,5 +221,5 @@ fn random_pattern(random: &mut Random, n: usize) -> Pattern {
         let unknowns: BTreeSet<usize> = (0..1 + random.below(3)).map(|_| random.below(n as u64) as usize).collect();
         unknowns.into_iter().map(|unknown| Entry { unknown, is_pivot: random.below(2) == 0 }).collect()
     });
-    Pattern { unknowns: n, rows: rows.collect() }
+    Pattern { unknowns: n, rows: rows.collect(), ..Pattern::default() }
 }

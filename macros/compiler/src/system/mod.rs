@@ -125,6 +125,8 @@ pub struct Equation {
     pub level: Level,
     /// Entries of the row of Φ_u = Φ_q N that are not identically zero, by speed.
     pub jacobian: Vec<(usize, Expr)>,
+    /// Coordinates that Φ contains without having a derivative by them, as in a condition.
+    pub read: Vec<usize>,
     /// ν
     pub nu: Expr,
     /// γ

@@ -12,7 +12,8 @@ pub(super) fn pattern(model: &Model, arena: &Arena, unknowns: usize, equations: 
     let nonzero = nonzero_parameters(model, arena);
     let entry = |(unknown, value): &(usize, Expr)| Entry { unknown: *unknown, is_pivot: is_pivot(arena, *value, &nonzero) };
     let row = |equation: &Equation| steady(equation.jacobian.iter().map(entry).collect(), &equation.jacobian, arena);
-    Pattern { unknowns, rows: equations.iter().map(row).collect() }
+    let read = equations.iter().map(|equation| equation.read.clone()).collect();
+    Pattern { unknowns, rows: equations.iter().map(row).collect(), read }
 }
 
 /// A constant below this fraction of the largest one in its row is no pivot: dividing by it would amplify rounding errors.

@@ -82,16 +82,28 @@ impl Differentiation {
             let (factors, nu) = affine(arena, residual);
             let jacobian = factors.into_iter().map(|(speed, factor)| ((speed - self.first_speed) as usize, factor)).collect();
             let [_, first, _] = self.along.of(arena, residual);
-            return Equation { joint, row: number, dim, level: Level::Velocity, jacobian, nu, gamma: arena.neg(first), is_initial };
+            return Equation {
+                joint,
+                row: number,
+                dim,
+                level: Level::Velocity,
+                jacobian,
+                read: Vec::new(),
+                nu,
+                gamma: arena.neg(first),
+                is_initial,
+            };
         }
         let entries = columns.into_iter().map(|column| (column, self.by_column[column].of(arena, residual)));
         let mut jacobian: Vec<(usize, Expr)> = entries.collect();
-        jacobian.retain(|(_, entry)| !arena.as_constant(*entry).is_some_and(|value| value.is_zero()));
+        let is_zero = |entry: Expr| arena.as_constant(entry).is_some_and(|value| value.is_zero());
+        let read = jacobian.iter().filter(|(_, entry)| is_zero(*entry)).map(|(column, _)| *column).collect();
+        jacobian.retain(|(_, entry)| !is_zero(*entry));
         let rate = self.by_time.of(arena, residual);
         let nu = arena.neg(rate);
         let [_, _, second] = self.along.of(arena, residual);
         let gamma = arena.neg(second);
-        Equation { joint, row: number, dim, level: Level::Position { phi: residual }, jacobian, nu, gamma, is_initial }
+        Equation { joint, row: number, dim, level: Level::Position { phi: residual }, jacobian, read, nu, gamma, is_initial }
     }
 }
 

@@ -20,11 +20,9 @@ impl Forest<'_> {
         let declared = self.declared_angle(one, two);
         // The angle counts the second body against the first, wherever ground is.
         let is_forward = inner == one;
-        let facing = self.facing(inner, outer);
-        // Against a triad that is half turned about x an angle has the opposite sign.
-        let declared = if is_forward || facing == outer { declared } else { declared.map(|angle| self.arena.neg(angle)) };
-        let outer = facing;
-        let (one, two) = if is_forward { (one, outer) } else { (outer, two) };
+        // The angle is counted about the axis of the first triad: the second one is half turned.
+        let (inner, outer) = if is_forward { (inner, self.facing(inner, outer)) } else { (self.facing_back(inner, outer), outer) };
+        let (one, two) = if is_forward { (inner, outer) } else { (outer, inner) };
         let [x, y, z] = self.in_ground(inner);
         let against = |forest: &mut Self, angle: Expr| if is_forward { angle } else { forest.arena.neg(angle) };
         let by_place = match declared {
@@ -80,17 +78,29 @@ impl Forest<'_> {
         let (inner, outer) = if is_in_order { (one, two) } else { (two, one) };
         let words = if is_in_order { ["angle_a", "angle_b"] } else { ["angle_b", "angle_a"] };
         let Some(body) = outer.body else { return };
-        let (inner, outer) = (self.triad_along(inner), self.triad_along(outer));
+        let (inner, outer) = match self.model.space.arms.get(&joint).copied() {
+            Some(arms) => {
+                // angle_a is zero where the second axis lies along x of the first, angle_b where x of the second lies along the first.
+                let [a, b] = if is_in_order { arms } else { [arms[1], arms[0]] };
+                (a.quarter_turned(self.arena), b.quarter_turned(self.arena).half_turned(self.arena, 2))
+            }
+            None => (self.triad_along(inner), self.triad_along(outer)),
+        };
         let axes = self.in_ground(inner);
         let is_told = self.says_angle(inner, body);
         let [first, second] = if is_told { self.start_cross(inner, outer) } else { [None, None] };
+        // Both angles count the second body against the first, wherever ground is.
+        let counted = |forest: &mut Self, angle: Expr| if is_in_order { angle } else { forest.arena.neg(angle) };
+        let [first, second] = [first, second].map(|start| start.map(|angle| counted(self, angle)));
         let (alpha, one) = self.unknown(body, Role::Angle, first, Some((joint, words[0])));
         let (beta, two) = self.unknown(body, Role::Angle, second, Some((joint, words[1])));
+        let [one, two] = [one, two].map(|angle| counted(self, angle));
         let [x, y, z] = self.about(one, axes);
         // After a quarter turn about x the second axis lies across the first.
         let across = [x, z, y.map(|part| self.arena.neg(part))];
         let turned = self.about(two, across);
-        self.attach(joint, inner.body, outer, turned, &[(alpha, axes[2]), (beta, across[2])]);
+        let turns = [axes[2], across[2]].map(|axis| axis.map(|part| counted(self, part)));
+        self.attach(joint, inner.body, outer, turned, &[(alpha, turns[0]), (beta, turns[1])]);
     }
 
     /// A body about which nothing is known.

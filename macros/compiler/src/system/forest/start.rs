@@ -256,6 +256,13 @@ impl Forest<'_> {
         if is_opposed { self.opposed(outer, 0) } else { outer }
     }
 
+    /// The triad from which a body is reached, half turned about its x axis if its z axis points against that of the new body at the declared
+    /// start.
+    pub(super) fn facing_back(&mut self, inner: Triad, outer: Triad) -> Triad {
+        let is_opposed = self.product_at_start(inner, outer, 2).is_some_and(|z| z < OPPOSED);
+        if is_opposed { self.opposed(inner, 0) } else { inner }
+    }
+
     /// The triad of a new body, half turned about one of its axes if this brings it nearer to the other triad at the declared start.
     pub(super) fn facing_in_all(&mut self, inner: Triad, outer: Triad) -> Triad {
         let [Some(x), Some(y), Some(z)] = [0, 1, 2].map(|k| self.product_at_start(inner, outer, k)) else { return outer };
