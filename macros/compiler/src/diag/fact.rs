@@ -174,7 +174,7 @@ pub enum MeantFor {
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
 pub enum ArityFact {
-    TooManyArguments { definition: String, signature: String, takes: [usize; 2], found: usize },
+    TooManyArguments { definition: String, signature: String, takes: [usize; 2], found: usize, decimals: Option<String> },
     MissingArguments { definition: String, signature: String, takes: [usize; 2], found: usize, missing: Vec<String>, meant: MeantFor },
     MissingMarks { definition: String, signature: String, missing: Vec<String>, instead: String, without: Vec<String>, are_points: bool },
     UnknownArgument { definition: String, name: String, signature: String, near: Option<String> },

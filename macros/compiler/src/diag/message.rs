@@ -161,8 +161,8 @@ impl fmt::Display for Doubt {
             Doubt::GravityWithoutMass => {
                 write!(f, "gravity acts on masses, and no body has one\nhelp: write `mass = 1kg;` in a body, or take `gravity` away")
             }
-            Doubt::UnusualGravity { found } => {
-                write!(f, "the acceleration of free fall is {found} here, and 9.81 m/s² on Earth\nhelp: write `9.81m_s2`")
+            Doubt::UnusualGravity { found, instead } => {
+                write!(f, "the acceleration of free fall is {found} here, and 9.81 m/s² on Earth\nhelp: write `{instead}`")
             }
             Doubt::WideInertia { body, radius, longest } => {
                 write!(f, "the inertia of `{body}` is that of its mass at a distance of {radius}, where no length exceeds {longest}")?;

@@ -91,6 +91,8 @@ pub enum Doubt {
     UnusualGravity {
         /// Its size, with units.
         found: String,
+        /// The vertical component to type.
+        instead: &'static str,
     },
     /// Free fall where no body has a mass.
     GravityWithoutMass,

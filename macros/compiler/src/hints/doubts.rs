@@ -241,7 +241,9 @@ fn unusual_gravity(value: &Expression) -> Option<Warning> {
     let size = parts.iter().map(|part| part * part).sum::<f64>().sqrt();
     let found = in_words(size, Dim::ACCELERATION);
     let is_unusual = size > 0.0 && !(USUAL[0]..=USUAL[1]).contains(&size);
-    is_unusual.then_some(Warning { doubt: Doubt::UnusualGravity { found }, range: value.range })
+    let is_downward = value.to_string().contains('-');
+    let instead = if is_downward { "-9.81m_s2" } else { "9.81m_s2" };
+    is_unusual.then_some(Warning { doubt: Doubt::UnusualGravity { found, instead }, range: value.range })
 }
 
 /// Doubts free fall as on earth along y or z, where it points upwards.

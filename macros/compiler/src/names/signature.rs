@@ -72,8 +72,9 @@ fn takes(definition: &Definition) -> [usize; 2] {
     [required, definition.parameters.len()]
 }
 
-pub(crate) fn too_many(definition: &Definition, found: usize) -> ArityFact {
+pub(crate) fn too_many(definition: &Definition, found: usize, decimals: Option<String>) -> ArityFact {
     ArityFact::TooManyArguments {
+        decimals,
         definition: definition.name.to_string(),
         signature: signature(definition),
         takes: takes(definition),

@@ -22,6 +22,9 @@ const MOST_TRIES: usize = 12;
 /// A gap is open if it exceeds this, in rad or characteristic lengths.
 const OPEN: f64 = 1e-9;
 
+/// A way this many times as long as the residual or the mechanism is told wrongly by derivatives.
+const LEAP: f64 = 1e3;
+
 /// Newton steps along the gradient of an equation.
 const STRAIGHT_ON: usize = 8;
 
@@ -228,10 +231,19 @@ impl Numeric<'_> {
         (length.filter(is_open(self.size)), angle.filter(is_open(1.0)))
     }
 
-    /// Distance by which one body must move until an equation holds, independent of any factor or power in the equation; in m, or in rad
-    /// for an equation of angles. For a length that only turns change, the residual itself. For a product of unit vectors, which is a sine, its
-    /// angle. `None` if the iteration diverges or no body can move.
-    fn way(&self, equation: &Equation, known: Values, mut q: Vec<f64>) -> Option<f64> {
+    /// Distance by which one body must move until an equation holds, in m, or in rad for an equation of angles; the residual itself where the
+    /// way there is not told by derivatives, as between points that coincide.
+    fn way(&self, equation: &Equation, known: Values, q: Vec<f64>) -> Option<f64> {
+        let values = evaluate(&self.system.arena, &equation.phi().into_iter().collect::<Vec<Expr>>(), &Values { coordinates: &q, ..known });
+        let off = values.first()?.abs();
+        let off = if equation.dim == Dim::LENGTH.times(Dim::LENGTH) { off.sqrt() } else { off };
+        let is_told = |way: &f64| *way <= LEAP * off.max(self.size);
+        self.way_along(equation, known, q).filter(is_told).or(Some(off).filter(|off| off.is_finite()))
+    }
+
+    /// The same by derivatives, independent of any factor or power in the equation. For a length that only turns change, the residual itself. For
+    /// a product of unit vectors, which is a sine, its angle. `None` if the iteration diverges or no body can move.
+    fn way_along(&self, equation: &Equation, known: Values, mut q: Vec<f64>) -> Option<f64> {
         if equation.jacobian.is_empty() || self.is_of_turns(equation) && [Dim::NUMBER, Dim::LENGTH].contains(&equation.dim) {
             // Explicit unknowns have made a constant of it, or only turns change it, so that no body can be displaced.
             let values = evaluate(&self.system.arena, &equation.phi().into_iter().collect::<Vec<Expr>>(), &known);

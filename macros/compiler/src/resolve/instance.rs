@@ -5,7 +5,7 @@ use super::elaborate::Elaborator;
 use super::statement::ScalarEquation;
 use crate::diag::{ArityFact, ArrayFact, EquationFact, Fact, Kind, MeantFor, MotionFact, Note, Range, ValueFact};
 use crate::expr::Leaf;
-use crate::hints::{noted, with_rate, without_time};
+use crate::hints::{decimal_comma, noted, with_rate, without_time};
 use crate::library;
 use crate::names::{
     Context, EntityId, Fixed, FrameId, FunctionValue, Instance, Scalar, Scope, Timeless, Value, is_between, nearest_kind, places, too_few,
@@ -180,7 +180,10 @@ impl Elaborator<'_> {
                     let next = wanted.iter().zip(&slots).find(|(_, slot)| slot.is_none()).map(|(formal, _)| formal.name.to_string());
                     return self.refuse(argument.value.range, ArityFact::PositionalAfterNamed { next });
                 }
-                None if position >= wanted.len() => return self.refuse(argument.value.range, too_many(definition, given.len())),
+                None if position >= wanted.len() => {
+                    let values: Vec<ast::Expression> = given.iter().map(|argument| argument.value.clone()).collect();
+                    return self.refuse(argument.value.range, too_many(definition, given.len(), decimal_comma(&values)));
+                }
                 None => position,
                 Some(name) => {
                     named_before = true;

@@ -13,7 +13,7 @@
 use super::ast::{Expression, ExpressionKind, Operator, Path, Relation};
 use super::slip::{
     each_index_by_itself, no_brackets, no_choice_behind, no_closure, no_common_unit, no_constant, no_parentheses, no_percentage,
-    no_quotation, no_reference, no_self, no_truth, no_unit_raised, without_module,
+    no_quotation, no_reference, no_self, no_truth, no_unit_apart, no_unit_raised, without_module,
 };
 use super::tokens::{
     Parsed, braces, brackets, equals, expected, is_path, keyword, literal, name, next, parentheses, path, semicolon, wrong,
@@ -25,7 +25,7 @@ use quote::ToTokens;
 use std::fmt::Display;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
-use syn::{Ident, Lit, LitBool, Token, token};
+use syn::{Ident, Lit, LitBool, LitInt, Token, token};
 
 /// `=` between a name and its value; `head` is what stands before it.
 pub(super) fn equals_behind(input: ParseStream, head: impl Display) -> Parsed<()> {
@@ -86,7 +86,7 @@ pub(super) fn relation(input: ParseStream) -> Parsed<Relation> {
     } else if input.peek(Token![>]) {
         input.parse::<Token![>]>().map(|_| Relation::Greater)
     } else {
-        return expected(input, "a relation such as `<` or `!=`");
+        return expected(input, "a relation such as `<` or `>=`");
     };
     Ok(relation?)
 }
@@ -272,10 +272,13 @@ fn number(input: ParseStream) -> Parsed<Expression> {
     let range = Range::from(literal.span());
     no_quotation(&literal)?;
     let (digits, unit) = match &literal {
-        Lit::Int(int) => (int.base10_digits().to_owned(), int.suffix().to_owned()),
+        Lit::Int(int) => (as_written(int), int.suffix().to_owned()),
         Lit::Float(float) => (float.base10_digits().to_owned(), float.suffix().to_owned()),
         _ => return wrong(range, GrammarFact::NotANumber { found: literal_kind(&literal) }),
     };
+    if unit.is_empty() {
+        no_unit_apart(input, range, &digits)?;
+    }
     if is_unit(input) {
         let (number, next) = (literal.to_token_stream().to_string(), input.parse::<Ident>()?);
         return wrong(range.to(&next), GrammarFact::SpaceBeforeUnit { number, suffix: unit, unit: next.to_string() });
@@ -286,6 +289,14 @@ fn number(input: ParseStream) -> Parsed<Expression> {
         return wrong(range.to(input.span()), GrammarFact::NumberBeforeParentheses { number, is_range });
     }
     node(ExpressionKind::Number { digits, unit }, range)
+}
+
+/// The digits of a whole number with the zeros before it, which count behind a comma.
+fn as_written(int: &LitInt) -> String {
+    let text = int.to_string();
+    let digits = text.strip_suffix(int.suffix()).unwrap_or(&text);
+    let is_decimal = digits.bytes().all(|digit| digit.is_ascii_digit());
+    if is_decimal { digits.to_owned() } else { int.base10_digits().to_owned() }
 }
 
 /// True if a word follows that ends the expression: after a number it can only be meant as a unit.

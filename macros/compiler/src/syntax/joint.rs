@@ -104,6 +104,9 @@ pub(super) fn freedom(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
     let (from, at) = (clause("from")?, clause("at")?);
     if let (Some(from), None, true) = (&from, &at, input.peek(Token![,])) {
         let comma = input.parse::<Token![,]>()?.spans[0];
+        if keyword(input).is_some_and(|word| word == "at") {
+            Ident::parse_any(input)?;
+        }
         let instead = format!("{value} from {from} at {}", expression(input)?);
         return wrong(comma, GrammarFact::Misspelt { flaw: "the rate at t = 0 stands behind `at`", instead });
     }

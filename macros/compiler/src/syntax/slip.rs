@@ -5,7 +5,9 @@ use super::expression::{deeper, is_end, is_unit, list, relation, sum};
 use super::tokens::{Parsed, braces, keyword, parentheses, wrong};
 use crate::diag::{GrammarFact, Range};
 use crate::quantity;
+use crate::words::is_synonym;
 use proc_macro2::{Delimiter, TokenTree};
+use syn::ext::IdentExt;
 use syn::parse::{ParseBuffer, ParseStream};
 use syn::{Ident, Lit, LitInt, Token, token};
 
@@ -21,6 +23,54 @@ pub(super) fn no_unit_raised(input: ParseStream, base: &Expression) -> Parsed<()
         }
         _ => Ok(()),
     }
+}
+
+/// Refuses `600 RPM`, `0.03 kg m^2` and `5 N*s/m`: a unit behind a space, in words or in parts.
+pub(super) fn no_unit_apart(input: ParseStream, number: Range, digits: &str) -> Parsed<()> {
+    let is_word =
+        |input: ParseStream| keyword(input).is_some_and(|word| !["at", "from", "in", "as", "if", "else"].iter().any(|known| word == known));
+    if !is_word(input) {
+        return Ok(());
+    }
+    let ahead = input.fork();
+    let (mut unit, mut best) = (String::new(), None);
+    loop {
+        let word: Ident = Ident::parse_any(&ahead)?;
+        unit.push_str(&unit_of_word(&word.to_string()));
+        if ahead.peek(Token![^]) {
+            ahead.parse::<Token![^]>()?;
+            let Ok(exponent) = ahead.parse::<LitInt>() else { break };
+            unit.push_str(exponent.base10_digits());
+        }
+        if quantity::unit(&unit).is_some() {
+            best = Some((unit.clone(), number.to(&word), unit == word.to_string()));
+        }
+        let is_over = ahead.peek(Token![/]) && unit.contains('_');
+        if ahead.peek(Token![/]) && !is_over {
+            ahead.parse::<Token![/]>()?;
+            unit.push('_');
+        } else if ahead.peek(Token![*]) {
+            ahead.parse::<Token![*]>()?;
+        }
+        if is_over || !is_word(&ahead) {
+            break;
+        }
+    }
+    match best {
+        Some((unit, range, false)) => {
+            wrong(range, GrammarFact::Misspelt { flaw: "a unit is one word right behind its number", instead: format!("{digits}{unit}") })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// A unit as it is written here: `rpm` for `RPM`, `kg` for `kilograms`.
+fn unit_of_word(word: &str) -> String {
+    if quantity::unit(word).is_some() {
+        return word.to_owned();
+    }
+    let is_meant = |unit: &&str| unit.eq_ignore_ascii_case(word) || is_synonym(unit, &word.to_lowercase());
+    quantity::units().find(is_meant).unwrap_or(word).to_owned()
 }
 
 /// Refuses `20%`.

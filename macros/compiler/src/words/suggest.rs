@@ -9,7 +9,7 @@ const LONGEST: usize = 60;
 const ADDED: [&str; 9] = ["joint", "joints", "constraint", "force", "object", "connector", "mate", "element", "pair"];
 
 /// Words of the language with their synonyms elsewhere.
-const SYNONYMS: [(&str, &[&str]); 106] = [
+const SYNONYMS: [(&str, &[&str]); 112] = [
     ("Point", &["position", "location", "place"]),
     ("Number", &["f32", "f64", "float", "double", "real", "scalar", "int", "integer", "i32", "i64", "u32", "u64", "usize"]),
     ("Length", &["m", "mm", "cm", "distance", "position", "displacement", "millimeter", "millimetre", "meter", "metre"]),
@@ -150,6 +150,12 @@ const SYNONYMS: [(&str, &[&str]); 106] = [
     ("turn", &["rev", "revs", "revolution", "revolutions", "turns"]),
     ("s", &["sec", "secs", "second", "seconds"]),
     ("ms", &["msec", "millisecond", "milliseconds"]),
+    ("kg", &["kilogram", "kilograms", "kilogramme", "kilogrammes", "kgs"]),
+    ("g", &["gram", "grams", "gramme", "grammes"]),
+    ("N", &["newton", "newtons"]),
+    ("rpm", &["rev_min", "r_min"]),
+    ("Ns_m", &["n_s"]),
+    ("lbf", &["pound_force"]),
     ("min", &["minute", "minutes"]),
     ("h", &["hour", "hours", "hr"]),
     ("t", &["time"]),

@@ -7,8 +7,12 @@ use std::fmt::{Display, Formatter, Result};
 impl Display for ArityFact {
     fn fmt(&self, f: &mut Formatter) -> Result {
         match self {
-            ArityFact::TooManyArguments { definition, signature, takes, found } => {
-                write!(f, "`{definition}` takes {}, found {found}\nnote: `{signature}`", range_of(takes, "argument"))
+            ArityFact::TooManyArguments { definition, signature, takes, found, decimals } => {
+                write!(f, "`{definition}` takes {}, found {found}", range_of(takes, "argument"))?;
+                if let Some(number) = decimals {
+                    write!(f, "\nhelp: write a decimal point, `{number}`")?;
+                }
+                write!(f, "\nnote: `{signature}`")
             }
             ArityFact::MissingArguments { definition, signature, takes, found, missing, meant } => {
                 let missing_ones = listed(missing.iter().map(String::as_str));
