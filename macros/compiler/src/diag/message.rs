@@ -126,7 +126,7 @@ impl fmt::Display for Doubt {
             Doubt::BareAngle { of, number } => {
                 let in_unit = |unit: &str| match of {
                     AngleOf::Function(function) => format!("{function}({number}{unit})"),
-                    AngleOf::Start | AngleOf::Law | AngleOf::Part | AngleOf::Parameter(_) => format!("{number}{unit}"),
+                    AngleOf::Start | AngleOf::Law | AngleOf::Argument | AngleOf::Part | AngleOf::Parameter(_) => format!("{number}{unit}"),
                 };
                 write!(f, "`{number}` has no unit: it is {number} rad")?;
                 match of {
@@ -137,7 +137,7 @@ impl fmt::Display for Doubt {
                         )
                     }
                     AngleOf::Parameter(name) => write!(f, " where it is an angle\nhelp: write `{name}: Angle = {}`", in_unit("deg")),
-                    AngleOf::Start | AngleOf::Function(_) | AngleOf::Part => {
+                    AngleOf::Start | AngleOf::Function(_) | AngleOf::Argument | AngleOf::Part => {
                         write!(f, "\nhelp: write `{}`, or `{}` if it is meant", in_unit("deg"), in_unit("rad"))
                     }
                 }
@@ -194,11 +194,18 @@ impl fmt::Display for Doubt {
             Doubt::NegativeCoefficient { written, .. } => {
                 write!(f, "`{written}` pushes away from rest\nhelp: take the minus away, or name the number with `let` if it is meant")
             }
-            Doubt::NegativeRest { written } => {
+            Doubt::NegativeRest { written, of } => {
                 write!(
                     f,
-                    "`{written}` is a length that no spring has\nhelp: take the minus away, or name the number with `let` if it is meant"
+                    "`{written}` is a length that no {of} has\nhelp: take the minus away, or name the number with `let` if it is meant"
                 )
+            }
+            Doubt::ConvertedTwice { written, instead } => {
+                write!(f, "`{written}` converts a quantity that carries its unit already\nhelp: write `{instead}`")
+            }
+            Doubt::ProgramEnds { function } => {
+                write!(f, "`{function}` is a program of a whole turn, after which the follower stays at rest")?;
+                write!(f, "\nhelp: write `segments(…, periodic)` if it begins anew with each turn, or `hold` if it does not")
             }
             Doubt::RiseOfOne { written } => {
                 write!(

@@ -135,10 +135,24 @@ pub enum Doubt {
         /// True for a damping.
         is_damping: bool,
     },
-    /// A negative length of a spring without load.
+    /// A negative length of a spring without load, or of what a drive makes longer.
     NegativeRest {
         /// The length as written.
         written: String,
+        /// What has it.
+        of: &'static str,
+    },
+    /// A quantity with a unit that is converted to radians or to degrees once more.
+    ConvertedTwice {
+        /// The product as written.
+        written: String,
+        /// The same without the conversion.
+        instead: String,
+    },
+    /// A program of a whole turn after which the follower stays at rest.
+    ProgramEnds {
+        /// The function.
+        function: String,
     },
     /// A law from 0 to 1 as the law of an angle.
     RiseOfOne {
@@ -257,6 +271,8 @@ pub enum AngleOf {
     Law,
     /// `sin`, `cos` or `tan`.
     Function(String),
+    /// An argument of a component.
+    Argument,
     /// A part of one of these.
     Part,
     /// The default of a parameter that is a number.
@@ -282,6 +298,8 @@ impl Warning {
             Doubt::DiskAcross { .. } => "disk_across",
             Doubt::NegativeCoefficient { .. } => "negative_coefficient",
             Doubt::NegativeRest { .. } => "negative_rest",
+            Doubt::ConvertedTwice { .. } => "converted_twice",
+            Doubt::ProgramEnds { .. } => "program_ends",
             Doubt::RiseOfOne { .. } => "rise_of_one",
             Doubt::NumberAsPhase { .. } => "number_as_phase",
             Doubt::PercentageOfFriction { .. } => "percentage_of_friction",

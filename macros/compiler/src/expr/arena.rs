@@ -197,6 +197,12 @@ impl Arena {
         }
     }
 
+    /// Whether two whole numbers are equal; `None` of other numbers.
+    pub(crate) fn are_equal_wholes(&self, pair: [Expr; 2]) -> Option<bool> {
+        let whole = |expr: Expr| self.as_constant(expr).filter(|value| value.to_f64().fract() == 0.0);
+        Some(whole(pair[0])? == whole(pair[1])?)
+    }
+
     /// The value of an expression of constants; `None` for one that depends on anything else. It is rounded once, unless a function other
     /// than sine, cosine and square root occurs.
     #[must_use]

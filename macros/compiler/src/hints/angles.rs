@@ -3,7 +3,9 @@
 use crate::diag::{AngleOf, Doubt, Range, Warning};
 use crate::library;
 use crate::quantity::Dim;
-use crate::syntax::ast::{Expression, ExpressionKind, Item, JointBody, Marks, Mechanism, Operator, Statement};
+use crate::syntax::ast::{
+    Argument, Expression, ExpressionKind, Formal, FormalKind, Item, JointBody, Marks, Mechanism, Operator, Statement,
+};
 use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -28,7 +30,15 @@ fn search(items: &[Item], found: &mut Vec<Warning>) {
                     search.variables.insert(repeated.variable.to_string());
                     pending.push(&repeated.items);
                 }
-                Item::Component(component) => components.push(&component.items),
+                Item::Component(component) => {
+                    let is_angle = |formal: &Formal| match &formal.kind {
+                        FormalKind::Scalar(dimension) => dimension.dim() == Some(Dim::ANGLE),
+                        _ => false,
+                    };
+                    let formals = component.head.parameters.iter().map(|formal| (formal.name.to_string(), is_angle(formal)));
+                    search.components.insert(component.head.name.to_string(), formals.collect());
+                    components.push(&component.items);
+                }
                 _ => own.push(item),
             }
         }
@@ -63,6 +73,8 @@ struct AngleSearch {
     numbers: BTreeMap<String, NumberAsAngle>,
     /// Variables of loops.
     variables: BTreeSet<String>,
+    /// By component, its parameters, and whether they are angles.
+    components: BTreeMap<String, Vec<(String, bool)>>,
     found: Vec<Warning>,
 }
 
@@ -92,7 +104,21 @@ impl AngleSearch {
                 frame.starts.iter().filter(|start| start.what == "angle").for_each(|start| self.of_angle(AngleOf::Start, &start.value));
                 frame.starts.iter().for_each(|start| self.of(&start.value));
             }
-            Item::Part(part) => part.arguments.iter().for_each(|argument| self.of(&argument.value)),
+            Item::Part(part) => {
+                part.arguments.iter().for_each(|argument| self.of(&argument.value));
+                // A number alone is said to count as radians where it is resolved.
+                let is_product = |argument: &&Argument| matches!(argument.value.kind, ExpressionKind::Binary(Operator::Mul, ..));
+                for (place, argument) in part.arguments.iter().enumerate().filter(|(_, argument)| is_product(argument)) {
+                    let name = argument.name.as_ref().map(ToString::to_string);
+                    let is_meant = |formal: &(String, bool)| formal.1 && name.as_ref().is_none_or(|name| *name == formal.0);
+                    let formals = self.components.get(&part.kind.to_string());
+                    let formal = formals
+                        .and_then(|formals| if name.is_some() { formals.iter().find(|one| is_meant(one)) } else { formals.get(place) });
+                    if formal.is_some_and(is_meant) {
+                        self.of_angle(AngleOf::Argument, &argument.value);
+                    }
+                }
+            }
             Item::Use(_) | Item::Gravity(_) | Item::Range(_) | Item::Refused(_) | Item::Component(_) | Item::For(_) => {}
         }
     }
@@ -162,7 +188,12 @@ impl AngleSearch {
                 let is_named = |factor: &Expression| matches!(&factor.kind, ExpressionKind::Path(_));
                 match [(one, two), (two, one)].into_iter().find(|(_, other)| is_wave(other) || self.counts(other)) {
                     Some((factor, _)) if is_number(factor) || is_named(factor) => self.degrees(factor),
-                    _ => None,
+                    Some((factor, _)) => match &factor.kind {
+                        // `360 / teeth * i`
+                        ExpressionKind::Binary(Operator::Div, turn, _) if is_number(turn) => self.degrees(turn),
+                        _ => None,
+                    },
+                    None => None,
                 }
             }
             _ => None,

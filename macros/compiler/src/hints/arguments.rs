@@ -3,7 +3,7 @@
 
 use crate::diag::{Doubt, Warning};
 use crate::quantity::{self, Dim};
-use crate::syntax::ast::{Argument, ExpressionKind, Item, JointBody};
+use crate::syntax::ast::{Argument, Expression, ExpressionKind, Item, JointBody, Operator, every_item};
 
 /// Coefficients of friction from here on were rather meant in per cent.
 const SLIPPERY: f64 = 3.0;
@@ -14,6 +14,7 @@ pub(super) fn doubtful_arguments(item: &Item) -> Vec<Warning> {
     found.extend(swapped_carrier(item));
     found.extend(number_as_phase(item));
     found.extend(percentage_of_friction(item));
+    found.extend(negative_distance(item));
     found
 }
 
@@ -63,6 +64,56 @@ fn swapped_carrier(item: &Item) -> Option<Warning> {
     Some(Warning { doubt: Doubt::CarrierAsRing { carrier: ring.value.to_string(), instead }, range: ring.value.range })
 }
 
+/// Doubts a driven distance that begins with a negative length.
+fn negative_distance(item: &Item) -> Option<Warning> {
+    let Item::Joint(joint) = item else { return None };
+    let JointBody::Of { kind, arguments } = &joint.body else { return None };
+    let law = &arguments.last().filter(|_| kind == "drive_distance")?.value;
+    let mut first = law;
+    while let ExpressionKind::Binary(Operator::Add | Operator::Sub, one, _) = &first.kind {
+        first = one;
+    }
+    let ExpressionKind::Negative(length) = &first.kind else { return None };
+    let is_length =
+        matches!(&length.kind, ExpressionKind::Number { unit, .. } if quantity::unit(unit).is_some_and(|unit| unit.1 == Dim::LENGTH));
+    is_length.then(|| Warning { doubt: Doubt::NegativeRest { written: first.to_string(), of: "distance" }, range: first.range })
+}
+
+/// Doubts programs of a whole turn that end, where a cam has them.
+pub(super) fn programs_that_end(items: &[Item]) -> Vec<Warning> {
+    let of_cam = |item: &Item| match item {
+        Item::Joint(joint) => match &joint.body {
+            JointBody::Of { kind, arguments } if ["cam_knife", "cam_roller", "cam_flat"].iter().any(|known| kind == known) => {
+                arguments.iter().filter_map(|argument| argument.value.name()).map(ToString::to_string).collect()
+            }
+            _ => Vec::new(),
+        },
+        _ => Vec::new(),
+    };
+    let named: Vec<String> = every_item(items).flat_map(of_cam).collect();
+    let doubt = |item: &Item| {
+        let Item::Function(function) = item else { return None };
+        let ExpressionKind::Call(path, arguments) = &function.value.kind else { return None };
+        let [angle, _, program] = arguments.as_slice() else { return None };
+        let is_own = path.last == "segments" && angle.name().is_some_and(|name| function.argument.as_ref() == Some(name));
+        let ExpressionKind::List(segments) = &program.kind else { return None };
+        let turn: f64 = segments.iter().map(degrees_of_segment).sum::<Option<f64>>()?;
+        let is_meant = named.contains(&function.name.to_string()) && is_own && (turn - 360.0).abs() < 1e-9;
+        is_meant.then(|| Warning { doubt: Doubt::ProgramEnds { function: function.name.to_string() }, range: program.range })
+    };
+    every_item(items).filter_map(doubt).collect()
+}
+
+/// The angle of `rise(12mm, 120deg, law)`, in degrees.
+fn degrees_of_segment(segment: &Expression) -> Option<f64> {
+    let ExpressionKind::Call(_, arguments) = &segment.kind else { return None };
+    let in_degrees = |argument: &Expression| match &argument.kind {
+        ExpressionKind::Number { digits, unit } if unit == "deg" => digits.parse().ok(),
+        _ => None,
+    };
+    arguments.iter().find_map(in_degrees)
+}
+
 /// Doubts negative stiffnesses, dampings and lengths that are written out.
 fn negative_coefficients(item: &Item) -> Vec<Warning> {
     const WITH_COEFFICIENTS: [&str; 6] = ["spring", "damper", "spring_damper", "torsion_spring", "torsion_damper", "torsion_spring_damper"];
@@ -78,7 +129,7 @@ fn negative_coefficients(item: &Item) -> Vec<Warning> {
         let is_stiffness = [Dim::FORCE.per(Dim::LENGTH), Dim::TORQUE.per(Dim::ANGLE)].contains(&dim);
         let is_damping = [Dim::FORCE.per(Dim::LENGTH).times(Dim::TIME), Dim::TORQUE.per(Dim::ANGLE).times(Dim::TIME)].contains(&dim);
         let doubt = if dim == Dim::LENGTH {
-            Doubt::NegativeRest { written: argument.value.to_string() }
+            Doubt::NegativeRest { written: argument.value.to_string(), of: "spring" }
         } else {
             Doubt::NegativeCoefficient { written: argument.value.to_string(), is_damping }
         };

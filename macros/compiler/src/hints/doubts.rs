@@ -1,7 +1,8 @@
 //! Warnings about valid expressions that are often meant otherwise: powers of numbers with units, frequencies and periods as angles, inputs by the
 //! time, free fall in other units or upwards, and free fall where nothing has a mass.
 
-use super::arguments::doubtful_arguments;
+use super::arguments::{doubtful_arguments, programs_that_end};
+use super::conversions::Angular;
 use crate::diag::{Doubt, Range, Warning, quantity as in_words};
 use crate::quantity::{self, Dim};
 use crate::syntax::ast::{Argument, Expression, ExpressionKind, Item, JointBody, Mechanism, Operator, Statement, every_item};
@@ -44,12 +45,16 @@ pub(crate) fn doubtful_expressions(tree: &Mechanism) -> Vec<Warning> {
     let is_parameter =
         |name: &String| every_item(&tree.items).any(|item| matches!(item, Item::Parameter(parameter) if parameter.name == *name));
     inputs.retain(|name| !is_parameter(name));
-    let names = Suspects { inputs, frequencies, periods };
+    let (names, angular) = (Suspects { inputs, frequencies, periods }, Angular::of(&tree.items));
     for item in every_item(&tree.items) {
         let at_top = written_in(item);
         at_top.iter().for_each(|value| value.each(&mut |part| found.extend(names.doubt(part))));
+        if let Some(in_degrees) = degrees_in_output(item) {
+            found.push(in_degrees);
+        } else {
+            found.extend(at_top.iter().flat_map(|value| angular.doubts(value)));
+        }
         found.extend(names.turns_driven(item));
-        found.extend(degrees_in_output(item));
         found.extend(doubtful_arguments(item));
         if let Item::Gravity(gravity) = item {
             found.extend(unusual_gravity(&gravity.value));
@@ -58,6 +63,7 @@ pub(crate) fn doubtful_expressions(tree: &Mechanism) -> Vec<Warning> {
             found.extend(is_massless(&tree.items).then_some(without_mass));
         }
     }
+    found.extend(programs_that_end(&tree.items));
     found
 }
 

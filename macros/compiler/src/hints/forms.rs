@@ -324,15 +324,16 @@ pub(crate) fn is_measured(value: &Expression) -> bool {
 }
 
 /// The first number with a decimal comma among components: `60, 5mm` as `60.5mm`.
-pub(crate) fn decimal_comma(items: &[Expression]) -> Option<String> {
+pub(crate) fn decimal_comma<'a>(items: impl Iterator<Item = &'a Expression>) -> Option<String> {
     let digits_of = |item: &Expression| match &item.kind {
         ExpressionKind::Number { digits, unit } if digits.bytes().all(|digit| digit.is_ascii_digit()) => {
             Some((digits.clone(), unit.clone()))
         }
         _ => None,
     };
+    let items: Vec<_> = items.map(digits_of).collect();
     items.windows(2).find_map(|pair| {
-        let [(whole, none), (fraction, unit)] = [digits_of(&pair[0])?, digits_of(&pair[1])?];
+        let [(whole, none), (fraction, unit)] = [pair[0].as_ref()?, pair[1].as_ref()?];
         (none.is_empty() && !unit.is_empty()).then(|| format!("{whole}.{fraction}{unit}"))
     })
 }

@@ -8,6 +8,7 @@ mod ambient;
 mod angles;
 mod arguments;
 mod bare;
+mod conversions;
 mod doubts;
 mod forms;
 mod generated;

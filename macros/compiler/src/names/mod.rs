@@ -420,6 +420,17 @@ impl Names {
         space.order.iter().map(|group| &self.groups[group.0]).find(is_axis).map(|group| group.word.as_str())
     }
 
+    /// The first axis of a frame that has the name of an axis of each of the others.
+    pub(crate) fn an_axis_of_all(&self, frames: &[FrameId]) -> Option<&str> {
+        let axes = |frame: &FrameId| {
+            let order = &self.spaces[self.frames[frame.0].space.0].order;
+            order.iter().map(|group| &self.groups[group.0]).filter(|group| group.sort == Sort::Axis && group.ranks == 0)
+        };
+        let (first, others) = frames.split_first()?;
+        let is_in_all = |name: &&str| others.iter().all(|other| axes(other).any(|group| group.word == **name));
+        axes(first).map(|group| group.word.as_str()).find(is_in_all)
+    }
+
     /// The functions that an item of a namespace can call, in the order declared: `function`s, and arguments that are functions.
     pub(crate) fn functions(&self, space: SpaceId) -> impl Iterator<Item = &str> {
         self.all(space).filter(move |word| self.visible(space, word).is_some_and(|group| self.is_function(self.group(group))))

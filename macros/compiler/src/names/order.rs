@@ -128,15 +128,19 @@ impl Names {
     pub(crate) fn with_marks(&self, definition: &Definition, given: &[(usize, String)], values: &[Value]) -> Option<ArityFact> {
         let (mut written, mut missing, mut without) = (Vec::new(), Vec::new(), Vec::new());
         let mut last: Option<(String, FrameId)> = None;
+        let is_place = |value: &&Value| matches!(value, Value::Point(_) | Value::Body(_));
+        let frames: Vec<FrameId> = values.iter().filter(is_place).filter_map(Value::frame).collect();
+        let an_axis_of = |frame: FrameId| self.an_axis_of_all(&frames).or_else(|| self.an_axis_of(frame));
         for (index, formal) in definition.parameters.iter().enumerate() {
             match given.iter().position(|(place, _)| *place == index) {
                 // An axis of another body belongs elsewhere.
                 Some(number)
-                    if matches!(values[number], Value::Axis(_))
-                        && last.as_ref().is_some_and(|(_, own)| values[number].frame() != Some(*own)) =>
+                    if matches!(values[number], Value::Axis(_) | Value::Vector(_))
+                        && matches!(formal.kind, FormalKind::Axis)
+                        && last.as_ref().is_some_and(|(_, own)| values[number].frame().unwrap_or(FrameId::GROUND) != *own) =>
                 {
                     let (owner, frame) = last.as_ref()?;
-                    written.push(format!("{owner}.{}", self.an_axis_of(*frame)?));
+                    written.push(format!("{owner}.{}", an_axis_of(*frame)?));
                 }
                 Some(number) => {
                     written.push(given[number].1.clone());
@@ -158,7 +162,7 @@ impl Names {
                     }
                     let of_body = |number: &usize| matches!(values[*number], Value::Axis(_)) && values[*number].frame() == Some(*frame);
                     let given_one = (0..given.len()).find(of_body).map(|number| given[number].1.clone());
-                    written.push(given_one.unwrap_or_else(|| format!("{owner}.{}", self.an_axis_of(*frame).unwrap_or("z"))));
+                    written.push(given_one.unwrap_or_else(|| format!("{owner}.{}", an_axis_of(*frame).unwrap_or("z"))));
                     missing.push(formal.name.to_string());
                 }
             }

@@ -54,6 +54,13 @@ pub(crate) struct Register {
     pub(crate) has_ground: bool,
 }
 
+impl Register {
+    /// Name of the first freedom.
+    pub(crate) fn a_freedom(&self) -> Option<String> {
+        self.joints.iter().find(|(_, joint)| joint.is_freedom()).map(|(_, freedom)| freedom.name.to_string())
+    }
+}
+
 /// A declared name, as written.
 #[derive(Clone, Copy)]
 pub(crate) struct Written<'a> {
@@ -126,6 +133,18 @@ pub(crate) struct Notes {
     pub(crate) triads: Lookup<(Place, Option<Triple>), Triad>,
     /// By z axis, the triad that was last asked for.
     pub(crate) latest: Lookup<Place, Triad>,
+}
+
+impl Notes {
+    /// Notes the meaning of rows of a joint, and the triads of axes that they make perpendicular: the joint has just named them.
+    pub(crate) fn relate(&mut self, joint: usize, first: usize, relation: Relationship) {
+        self.geometry.relations.push((joint, first, relation));
+        if let Relationship::Perpendicular(one, two) = relation
+            && let (Some(one), Some(two)) = (self.latest.get(&one), self.latest.get(&two))
+        {
+            self.geometry.arms.insert(joint, [*one, *two]);
+        }
+    }
 }
 
 /// A value that depends on parameters alone and must be finite.

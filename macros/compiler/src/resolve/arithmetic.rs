@@ -29,7 +29,7 @@ impl Elaborator<'_> {
             return self.triple(range, items, scope);
         }
         let [x, y] = items else {
-            return self.refuse(range, ValueFact::NotTwoComponents { found: items.len(), meant: decimal_comma(items) });
+            return self.refuse(range, ValueFact::NotTwoComponents { found: items.len(), meant: decimal_comma(items.iter()) });
         };
         let (x, y) = (self.scalar(x, scope), self.scalar(y, scope));
         let (x, y) = (x?, y?);
@@ -272,23 +272,18 @@ impl Elaborator<'_> {
             Relation::Greater => self.arena.select(r, l, y, n),
             Relation::LessOrEqual => self.arena.select(r, l, n, y),
             Relation::GreaterOrEqual => self.arena.select(l, r, n, y),
-            Relation::Equal | Relation::Different => {
-                let Some(are_equal) = self.are_equal([left, right]) else {
-                    return self.refuse(lhs.range.to(rhs.range), ValueFact::EqualityInChoice);
-                };
-                if are_equal == (relation == Relation::Equal) { y } else { n }
-            }
+            Relation::Equal | Relation::Different => match self.arena.are_equal_wholes([l, r]) {
+                Some(are_equal) if left.measure.fits(Dim::NUMBER) => {
+                    if are_equal == (relation == Relation::Equal) {
+                        y
+                    } else {
+                        n
+                    }
+                }
+                _ => return self.refuse(lhs.range.to(rhs.range), ValueFact::EqualityInChoice),
+            },
         };
         Some(Value::Scalar(Scalar { expr, measure }))
-    }
-
-    /// Whether two whole numbers are equal, as the index of a loop and a number; `None` of numbers that are measured.
-    fn are_equal(&self, sides: [Scalar; 2]) -> Option<bool> {
-        let whole = |side: Scalar| {
-            self.arena.as_constant(side.expr).filter(|value| side.measure.fits(Dim::NUMBER) && value.to_f64().fract() == 0.0)
-        };
-        let [one, two] = [whole(sides[0])?, whole(sides[1])?];
-        Some(one == two)
     }
 
     /// Residuals of an equation, left minus right side: one for a number, two for a vector.

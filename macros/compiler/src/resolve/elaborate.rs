@@ -478,7 +478,8 @@ impl Elaborator<'_> {
                 let own: Vec<&str> = self.names.words(space).collect();
                 // In space an axis may be called like a coordinate.
                 let words = others.into_iter().chain(axes).map(Role::name).filter(|word| !own.contains(word));
-                let words: Vec<&str> = words.chain(["angular_velocity"]).collect();
+                let words: Vec<&str> =
+                    words.chain(["angular_velocity"]).chain((self.names.ambient == Ambient::Space).then_some("orientation")).collect();
                 let known = || own.iter().copied().chain(["position"]).chain(words.iter().copied());
                 let rate = || is_synonym("rate", &name).then(|| format!("rate({}.position)", self.names.frames[frame.0].name));
                 let (near, known) = (rate().or_else(|| self.nearest(&name, known())), Known::of(known()));

@@ -19,7 +19,7 @@ impl Elaborator<'_> {
     /// The equations of a freedom, which hold at t = 0 only. Without `from` its value at the declared start is still to be subtracted.
     pub(super) fn freedom(&mut self, name: &Ident, freedom: &ast::FreedomItem, scope: &Scope) -> Option<Vec<ScalarEquation>> {
         let range = freedom.value.range;
-        self.is_no_joint(name, &freedom.value, scope)?;
+        self.is_no_joint(name, freedom, scope)?;
         if let Some(body) = orientation_of(&freedom.value) {
             return self.refuse(range, MotionFact::FreedomOfOrientation { name: name.to_string(), body });
         }

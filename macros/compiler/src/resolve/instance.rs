@@ -181,8 +181,8 @@ impl Elaborator<'_> {
                     return self.refuse(argument.value.range, ArityFact::PositionalAfterNamed { next });
                 }
                 None if position >= wanted.len() => {
-                    let values: Vec<ast::Expression> = given.iter().map(|argument| argument.value.clone()).collect();
-                    return self.refuse(argument.value.range, too_many(definition, given.len(), decimal_comma(&values)));
+                    let decimals = decimal_comma(given.iter().map(|argument| &argument.value));
+                    return self.refuse(argument.value.range, too_many(definition, given.len(), decimals));
                 }
                 None => position,
                 Some(name) => {

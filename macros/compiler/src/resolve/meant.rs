@@ -165,7 +165,8 @@ impl Elaborator<'_> {
     }
 
     /// Refuses a joint as a freedom, and offers the coordinates that it leaves.
-    pub(super) fn is_no_joint(&mut self, name: &Ident, written: &ast::Expression, scope: &Scope) -> Option<()> {
+    pub(super) fn is_no_joint(&mut self, name: &Ident, freedom: &ast::FreedomItem, scope: &Scope) -> Option<()> {
+        let written = &freedom.value;
         let Value::Joint { kind, arguments } = self.value(written, scope)? else { return Some(()) };
         let joint = written.to_string();
         let mut offers = Vec::new();
@@ -177,7 +178,9 @@ impl Elaborator<'_> {
         if offers.is_empty() {
             offers = self.names.coordinates_across(&joint, &arguments);
         }
-        self.refuse(written.range, MotionFact::FreedomOfJoint { name: name.to_string(), joint, offers })
+        let clauses = [(" from ", &freedom.from), (" at ", &freedom.at)];
+        let start = clauses.into_iter().filter_map(|(word, value)| Some(format!("{word}{}", value.as_ref()?))).collect();
+        self.refuse(written.range, MotionFact::FreedomOfJoint { name: name.to_string(), joint, offers, start })
     }
 
     /// A joint of a body in space that has an angle.
@@ -231,7 +234,7 @@ impl Elaborator<'_> {
 
     /// Refuses outputs with jerk where coordinates are not solved for.
     pub(super) fn fits_jerks(&mut self, task: Task, register: &Register) {
-        let freedom = register.joints.iter().find(|(_, joint)| joint.is_freedom()).map(|(_, freedom)| freedom.name.to_string());
+        let freedom = register.a_freedom();
         let obstacle = match task {
             Task::Kinematics => return,
             Task::EquationsOnly => JerkObstacle::EquationsOnly,
@@ -247,7 +250,7 @@ impl Elaborator<'_> {
         if task != Task::Motion {
             return;
         }
-        let freedom = register.joints.iter().find(|(_, joint)| joint.is_freedom()).map(|(_, freedom)| freedom.name.to_string());
+        let freedom = register.a_freedom();
         for (_, output) in register.outputs.iter().filter(|(_, output)| output.is_slice) {
             let fact = MotionFact::SliceBesideFreedom { output: output.name.to_string(), freedom: freedom.clone() };
             self.unless_refused(output, |this| this.refuse::<()>(&output.name, fact));

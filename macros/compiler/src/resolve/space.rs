@@ -65,7 +65,7 @@ impl Elaborator<'_> {
     /// `(x, y, z)`
     pub(super) fn triple(&mut self, range: Range, items: &[ast::Expression], scope: &Scope) -> Option<Vector> {
         if items.len() != 3 {
-            return self.refuse(range, ValueFact::NotThreeComponents { found: items.len(), meant: decimal_comma(items) });
+            return self.refuse(range, ValueFact::NotThreeComponents { found: items.len(), meant: decimal_comma(items.iter()) });
         }
         let found: Vec<Option<Scalar>> = items.iter().map(|item| self.scalar(item, scope)).collect();
         let found: Option<Vec<Scalar>> = found.into_iter().collect();
@@ -154,15 +154,12 @@ impl Elaborator<'_> {
     fn triad(&mut self, axis: Fixed) -> Option<Triad> {
         let own = place(axis)?;
         let zero = axis.zero.and_then(Components::in_space);
-        let triad = match self.space.triads.get(&(own, zero)) {
-            Some(known) => *known,
-            None => {
-                let toward = zero.unwrap_or_else(|| self.some_direction_across(own.local));
-                let triad = Triad::along(&mut self.arena, own, toward);
-                self.space.triads.insert((own, zero), triad);
-                triad
-            }
-        };
+        let known = self.space.triads.get(&(own, zero)).copied();
+        let triad = known.unwrap_or_else(|| {
+            let toward = zero.unwrap_or_else(|| self.some_direction_across(own.local));
+            Triad::along(&mut self.arena, own, toward)
+        });
+        self.space.triads.insert((own, zero), triad);
         self.space.latest.insert(Place { body: triad.body, local: triad.axes[2] }, triad);
         Some(triad)
     }
@@ -260,13 +257,7 @@ impl Elaborator<'_> {
         while at < exprs.len() {
             let found = (1..=3.min(exprs.len() - at)).rev().find_map(|length| self.space.origins.get(&exprs[at..at + length]).copied());
             if let Some(relation) = found {
-                self.space.geometry.relations.push((joint, at, relation));
-                // The joint has just named the axes that it makes perpendicular.
-                if let Relationship::Perpendicular(one, two) = relation
-                    && let (Some(one), Some(two)) = (self.space.latest.get(&one), self.space.latest.get(&two))
-                {
-                    self.space.geometry.arms.insert(joint, [*one, *two]);
-                }
+                self.space.relate(joint, at, relation);
             }
             at += found.map_or(1, |relation| relation.rows());
         }

@@ -10,7 +10,7 @@
 use super::Components;
 use super::elaborate::Elaborator;
 use super::statement::ScalarEquation;
-use crate::diag::{ArityFact, EquationFact, ValueFact, Wanted};
+use crate::diag::{ArityFact, EquationFact, Kind, ValueFact, Wanted};
 use crate::expr::{Expr, Jets, Leaf, Node, Seed, derivative};
 use crate::model::{DECLARED, declared_angular, declared_rates};
 use crate::names::{FrameId, Scalar, Scope, Value, Vector};
@@ -39,6 +39,9 @@ impl Elaborator<'_> {
         if let Value::Scalar(Scalar { expr, measure }) = value {
             let expr = self.rate_of(expr);
             return Some(Value::Scalar(Scalar { expr, measure: measure.per(InferredDim::Known(Dim::TIME)) }));
+        }
+        if let Value::Joint { kind, .. } = value {
+            return self.not_a(argument.range, Wanted::NumberVectorOrPoint, Kind::JointOf(kind));
         }
         let Vector { parts, measure } = self.vector_of(argument.range, value, Wanted::NumberVectorOrPoint)?;
         let parts = parts.map(|part| self.rate_of(part));

@@ -12,8 +12,8 @@
 
 use super::ast::{Expression, ExpressionKind, Operator, Path, Relation};
 use super::slip::{
-    each_index_by_itself, no_brackets, no_choice_behind, no_closure, no_common_unit, no_constant, no_parentheses, no_percentage,
-    no_quotation, no_reference, no_self, no_truth, no_unit_apart, no_unit_raised, without_module,
+    each_index_by_itself, no_brackets, no_choice_behind, no_closure, no_common_unit, no_constant, no_index_in_parentheses, no_parentheses,
+    no_percentage, no_quotation, no_reference, no_self, no_truth, no_unit_apart, no_unit_raised, without_module,
 };
 use super::tokens::{
     Parsed, braces, brackets, equals, expected, is_path, keyword, literal, name, next, parentheses, path, semicolon, wrong,
@@ -199,6 +199,7 @@ fn postfix(input: ParseStream, room: u16) -> Parsed<Expression> {
         let field: Ident = input.parse()?;
         if input.peek(token::Paren) {
             without_module(input, &value, &field, room)?;
+            no_index_in_parentheses(input, &value, &field, room)?;
             return wrong(&field, GrammarFact::MethodCall { name: field.to_string() });
         }
         no_self(&value, &field)?;

@@ -45,6 +45,11 @@ pub(super) fn output(input: ParseStream, docs: Docs) -> Parsed<OutputItem> {
     }
     if input.peek(Token![.]) || input.peek(Token![;]) {
         let value = expression(&before)?;
+        if before.peek(Token![=]) && !before.peek(Token![==]) {
+            before.parse::<Token![=]>()?;
+            let instead = format!("output {} = {};", value.to_string().replace('.', "_"), expression(&before)?);
+            return wrong(value.range, GrammarFact::Misspelt { flaw: "the name of an output is one word", instead });
+        }
         return wrong(value.range, GrammarFact::OutputWithoutName { value: value.to_string() });
     }
     equals_behind(input, format_args!("output {name}{}", in_brackets(&indices)))?;

@@ -5,11 +5,29 @@ use super::expression::{deeper, is_end, is_unit, list, relation, sum};
 use super::tokens::{Parsed, braces, keyword, parentheses, wrong};
 use crate::diag::{GrammarFact, Range};
 use crate::quantity;
-use crate::words::is_synonym;
+use crate::words::{foreign, is_synonym};
 use proc_macro2::{Delimiter, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::{ParseBuffer, ParseStream};
 use syn::{Ident, Lit, LitInt, Token, token};
+
+/// Refuses `plate.B(i)`.
+pub(super) fn no_index_in_parentheses(input: ParseStream, owner: &Expression, name: &Ident, room: u16) -> Parsed<()> {
+    let ahead = input.fork();
+    let (content, range) = parentheses(&ahead)?;
+    let Ok(index) = sum(&content, room) else { return Ok(()) };
+    let is_index = |part: &Expression| match &part.kind {
+        ExpressionKind::Number { digits, unit } => unit.is_empty() && digits.bytes().all(|digit| digit.is_ascii_digit()),
+        ExpressionKind::Path(path) => path.last != "t",
+        _ => false,
+    };
+    let is_mark = matches!(owner.kind, ExpressionKind::Path(_)) && foreign(&name.to_string()).is_none();
+    if !content.is_empty() || !is_index(&index) || !is_mark {
+        return Ok(());
+    }
+    let instead = format!("{owner}.{name}[{index}]");
+    wrong(owner.range.to(range), GrammarFact::Misspelt { flaw: "an index stands in brackets, and nothing has methods here", instead })
+}
 
 /// Refuses `10^3g`.
 pub(super) fn no_unit_raised(input: ParseStream, base: &Expression) -> Parsed<()> {

@@ -9,7 +9,7 @@ const LONGEST: usize = 60;
 const ADDED: [&str; 9] = ["joint", "joints", "constraint", "force", "object", "connector", "mate", "element", "pair"];
 
 /// Words of the language with their synonyms elsewhere.
-const SYNONYMS: [(&str, &[&str]); 112] = [
+const SYNONYMS: [(&str, &[&str]); 114] = [
     ("Point", &["position", "location", "place"]),
     ("Number", &["f32", "f64", "float", "double", "real", "scalar", "int", "integer", "i32", "i64", "u32", "u64", "usize"]),
     ("Length", &["m", "mm", "cm", "distance", "position", "displacement", "millimeter", "millimetre", "meter", "metre"]),
@@ -19,6 +19,8 @@ const SYNONYMS: [(&str, &[&str]); 112] = [
     ("Velocity", &["m_s", "speed", "linear_velocity"]),
     ("AngularVelocity", &["rad_s", "rpm", "omega", "angular_speed", "angular_rate", "rotationspeed", "angularspeed"]),
     ("Force", &["n", "newton", "newtons", "load"]),
+    ("Stiffness", &["springrate", "spring_rate", "springconstant", "spring_constant", "springstiffness", "rate_of_spring"]),
+    ("Damping", &["dampingcoefficient", "damping_coefficient", "damper_rate", "viscosity"]),
     ("Torque", &["nm", "moment", "energy", "work"]),
     ("Inertia", &["kgm2", "momentofinertia", "moment_of_inertia"]),
     ("body", &["rigidbody", "solid", "link", "bar", "rigid", "member", "bodie"]),

@@ -23,7 +23,7 @@ crate::refusals! {
     constraint constraint_twice: "pub constraint c(P: Point) { P.x == 0; } pub constraint «c»(P: Point) { P.y == 0; }" => "the name `c` is taken: another definition has it\nhelp: choose another name";
     constraint constraint_twice_in_a_bundle: "pub bundle all { constraint c(P: Point) { P.x == 0; } constraint «c»(P: Point) { P.y == 0; } }" => "the name `c` is taken: another definition has it\nhelp: choose another name";
     constraint requirement_without_reason: "constraint c(P: Point, a: Length) { require a != 0«;» P.x == a; }" => "expected `:` and a sentence that says why, found `;`";
-    constraint requirement_without_relation: "constraint c(P: Point, a: Length) { require a«:» \"why\"; P.x == a; }" => "expected a relation such as `<` or `!=`, found `:`";
+    constraint requirement_without_relation: "constraint c(P: Point, a: Length) { require a«:» \"why\"; P.x == a; }" => "expected a relation such as `<` or `>=`, found `:`";
     constraint requirement_of_unlike: "constraint c(P: Point, a: Length) { require «a != P»: \"why\"; P.x == a; }" => "cannot compare a number with a point";
     constraint parameter_without_kind: "constraint c(P«)» { P.x == 0; }" => "expected `:` and what the parameter takes, such as `Point` or `Length`, found the end";
     constraint no_constraint: "pub «fn» c(P: Point) { P.x == 0; }" => "expected `constraint name(…) { … }`, found `fn`";

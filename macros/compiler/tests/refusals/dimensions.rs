@@ -22,7 +22,7 @@ crate::refusals! {
     mechanism a_lead_by_angle: "mechanism Jack in space { ground { axis z = (0, 0, 1); } body nut { axis z = (0, 0, 1); } joint s = screw(ground.position, ground.z, nut.position, nut.z, lead: «5mm / 1turn»); drive d = drive_rotation(s, 1rad_s * t); }" => "`lead` of `screw` is a length (m), found a quantity in m/rad\nhelp: the lead is the way of one turn: write `lead: 5mm`";
     item the_value_of_a_profile: "joint a = cam_knife(crank.O, ram.B, «lift(crank.angle)»);" => "`R` of `cam_knife` takes a function of one variable, found a number\nhelp: write `lift`";
     item gains_of_a_controller_by_name: "param kp: Number = 50; param kd: Number = 5; force f = { on crank: «-kp * crank.angle - kd * crank.angular_velocity»; }" => "cannot subtract an angular velocity (rad/s) from an angle (rad)\nhelp: gains have dimensions: declare `kp` as `Torque` and `kd` as `Torque * Time`, for instance";
-    item rate_of_a_joint: "output w = rate(«hinge»);" => "expected a number, a vector or a point, found a joint\nhelp: in the plane, angles are those of bodies: write `body.angle`, or a difference of two";
+    item rate_of_a_joint: "output w = rate(«hinge»);" => "expected a number, a vector or a point, found a `revolute` joint\nhelp: in the plane, angles are those of bodies: write `body.angle`, or a difference of two";
     item angle_for_a_length: "param a: Length = «30deg»;" => "expected a length (m), found an angle (rad)";
     item length_for_an_angle: "body b { start angle = «30mm»; }" => "expected an angle (rad), found a length (m)";
     item angle_added_to_a_length: "output b = «length + crank.angle»;" => "cannot add an angle (rad) to a length (m)\nhelp: an arc is a radius times an angle";

@@ -261,6 +261,10 @@ fn expressions_that_are_often_meant_otherwise_are_doubted() {
     assert_eq!(spring("damper((5m, 0m), c.P, -3Ns_m)"), [damping.as_str()]);
     assert_eq!(spring("torsion_damper(ground, c, -3Nms_rad)"), [damping.replace("3Ns_m", "3Nms_rad")]);
     let rest = format!("`-1m` is a length that no spring has\n{meant}");
+    let distance = format!("`-1m` is a length that no distance has\n{meant}");
+    let rod = |law: &str| plane(&format!("body c {{ point P = (1m, 0m); }} drive e = drive_distance((5m, 0m), c.P, {law});"));
+    assert_eq!(rod("-1m - 2mm_s * t"), [distance.as_str()]);
+    assert_eq!(rod("1m - 2mm_s * t"), Vec::<String>::new());
     assert_eq!(spring("spring((5m, 0m), c.P, 200N_m, rest: -1m)"), [rest.as_str()]);
     for sure in ["spring((5m, 0m), c.P, 200N_m, rest: 1m)", "actuator((5m, 0m), c.P, -200N)", "torsion_spring(ground, c, 5Nm_rad, -3deg)"] {
         assert_eq!(spring(sure), Vec::<String>::new(), "{sure}");
@@ -269,7 +273,7 @@ fn expressions_that_are_often_meant_otherwise_are_doubted() {
                  `#[integrated]`: see the page on control loops";
     assert_eq!(plane("input w: AngularVelocity; drive d = drive_angle(b, w * t);"), [jumps]);
     let gravity =
-        |found: &str| vec![format!("the acceleration of free fall is {found} here, and 9.81 m/s² on Earth\nhelp: write `9.81m_s2`")];
+        |found: &str| vec![format!("the acceleration of free fall is {found} here, and 9.81 m/s² on Earth\nhelp: write `-9.81m_s2`")];
     assert_eq!(plane("body c { mass = 1kg; } gravity = (0, -9810);"), gravity("9810 m/s²"));
     assert_eq!(plane("body c { mass = 1kg; } gravity = (0, -1.62m_s2);"), Vec::<String>::new());
     let upwards = "gravity points upwards here\nhelp: write `-9.81m_s2`, or name the number with `let` if it is meant";
@@ -410,5 +414,76 @@ fn drives_that_stand_still_at_a_bare_number_are_doubted() {
     let as_a_part = "`90` has no unit: it is 90 rad\nhelp: write `90deg`, or `90rad` if it is meant";
     for law in ["60rpm * t + 90", "0.5rad - 90", "90 * sin(60rpm * t)", "6 - cos(60rpm * t) * 90", "-(60rpm * t + 90)"] {
         assert_eq!(doubts(plane(law)), [as_a_part], "{law}");
+    }
+}
+
+/// The doubts of a mechanism with these items.
+fn doubts_of(items: &str) -> Vec<String> {
+    let compiled = reuleaux_compiler::compile(format!("mechanism M {{ {items} }}").parse().expect("the source consists of tokens"));
+    compiled.expect("it is valid").model.doubts.iter().map(|warning| warning.doubt.to_string()).collect()
+}
+
+#[test]
+fn conversions_of_quantities_with_units_are_doubted() {
+    let crank = "param speed: AngularVelocity = 600rpm; body b { } joint o = revolute(ground.position, b.position);";
+    let law = |law: &str| doubts_of(&format!("{crank} drive d = drive_angle(b, {law});"));
+    let output = |output: &str| doubts_of(&format!("{crank} drive d = drive_angle(b, speed * t); output a = {output};"));
+    let said = |written: &str, instead: &str| {
+        vec![format!("`{written}` converts a quantity that carries its unit already\nhelp: write `{instead}`")]
+    };
+    for (written, instead) in [
+        ("2 * pi * speed * t", "speed * t"),
+        ("2 * pi * speed / 60 * t", "speed * t"),
+        ("speed * t * pi / 180", "speed * t"),
+        ("-20deg * pi / 180 * sin(1rad_s * t)", "-20deg * sin(1rad_s * t)"),
+    ] {
+        assert_eq!(law(written), said(written, instead), "{written}");
+    }
+    assert_eq!(output("b.angular_velocity * 60 / (2 * pi)"), said("b.angular_velocity * 60 / (2 * pi)", "b.angular_velocity / 1rpm"));
+    assert_eq!(output("sin(b.angle * pi / 180)"), said("b.angle * pi / 180", "b.angle"));
+    // A part of a turn, a ratio, a frequency.
+    for sure in ["2 * pi * b.angle / 30deg", "b.angle / (2 * pi)", "speed / (2 * pi)", "pi * b.angle", "b.angle / 1deg", "2 * pi * 3"] {
+        assert_eq!(output(sure), Vec::<String>::new(), "{sure}");
+    }
+    assert_eq!(law("speed * t + 30deg"), Vec::<String>::new());
+}
+
+#[test]
+fn programs_of_a_turn_that_end_are_doubted() {
+    let cam = |program: &str| {
+        doubts_of(&format!(
+            "function lift(psi: Angle) -> Length = segments(psi, 40mm, [{program});
+             ground {{ axis up = (0, 1); }} body cam {{ }} body tappet {{ start y = 40mm; }}
+             joint o = revolute(ground.position, cam.position);
+             joint guide = translational(ground.up, ground.position, tappet.position);
+             joint c = cam_knife(cam.position, tappet.position, lift);
+             drive d = drive_angle(cam, 60rpm * t);"
+        ))
+    };
+    let said = "`lift` is a program of a whole turn, after which the follower stays at rest\nhelp: write `segments(…, periodic)` if it begins anew \
+                with each turn, or `hold` if it does not";
+    let turn = "rise(12mm, 120deg, cycloidal), dwell(60deg), fall(12mm, 120deg, cycloidal), dwell(60deg)]";
+    assert_eq!(cam(turn), [said]);
+    for sure in [format!("{turn}, periodic"), format!("{turn}, hold"), "rise(12mm, 120deg, cycloidal), dwell(60deg)]".to_owned()] {
+        assert_eq!(cam(&sure), Vec::<String>::new(), "{sure}");
+    }
+}
+
+#[test]
+fn angles_of_parts_without_a_unit_are_doubted() {
+    let parts = |angle: &str| {
+        doubts_of(&format!(
+            "let n = 5; component Arm(toward: Angle) {{ body b {{ }} joint o = revolute(ground.position, b.position);
+                 drive d = drive_angle(b, toward + 1rad_s * t); }}
+             for i in 0..n {{ part arm[i] = Arm({angle}); }}"
+        ))
+    };
+    let said = |number: &str| {
+        vec![format!("`{number}` has no unit: it is {number} rad\nhelp: write `{number}deg`, or `{number}rad` if it is meant")]
+    };
+    assert_eq!(parts("72 * i"), said("72"));
+    assert_eq!(parts("360 / n * i"), said("360"));
+    for sure in ["72deg * i", "2 * pi / n * i", "1turn / n * i"] {
+        assert_eq!(parts(sure), Vec::<String>::new(), "{sure}");
     }
 }

@@ -1,6 +1,20 @@
 //! Mistakes of grammar.
 
 crate::refusals! {
+    item a_unit_in_capitals: "let w = «600 RPM»;" => "a unit is one word right behind its number\nhelp: write `600rpm`";
+    item a_unit_in_words: "let l = «400 millimeter»;" => "a unit is one word right behind its number\nhelp: write `400mm`";
+    item a_unit_in_words_of_many: "let m = «1.5 kilograms»;" => "a unit is one word right behind its number\nhelp: write `1.5kg`";
+    item a_unit_of_a_rate_apart: "let w = «600 rad/s» * t;" => "a unit is one word right behind its number\nhelp: write `600rad_s`";
+    item a_unit_of_a_stiffness_apart: "let k = «200 N/m»;" => "a unit is one word right behind its number\nhelp: write `200N_m`";
+    item a_unit_of_a_damping_apart: "let k = «5 N*s/m»;" => "a unit is one word right behind its number\nhelp: write `5Ns_m`";
+    item a_unit_of_inertia_apart: "let i = «0.03 kg m»^2;" => "a unit is one word right behind its number\nhelp: write `0.03kgm2`";
+    item a_unit_of_torque_apart: "let m = «20 N m»;" => "a unit is one word right behind its number\nhelp: write `20Nm`";
+    item a_decimal_comma_with_zeros: "let p = «(12,05mm, 0mm)»;" => "a vector in the plane has 2 components, found 3\nhelp: write a decimal point, `12.05mm`";
+    item a_decimal_comma_after_zero: "let p = «(0,050m, 0mm)»;" => "a vector in the plane has 2 components, found 3\nhelp: write a decimal point, `0.050m`";
+    item a_decimal_comma_in_a_call: "joint d = distance(crank.A, ram.B, 392,«05mm»);" => "`distance` takes 3 arguments, found 4\nhelp: write a decimal point, `392.05mm`\nnote: `distance(P: Point, Q: Point, c: Length)`";
+    item a_comma_before_at: "freedom f = crank.angle from 10deg«,» at 1rad_s;" => "the rate at t = 0 stands behind `at`\nhelp: write `crank.angle from 10deg at 1rad_s`";
+    item a_point_with_an_index_in_parentheses: "output a = «crank.P(1)»;" => "an index stands in brackets, and nothing has methods here\nhelp: write `crank.P[1]`";
+    item an_output_called_by_two_words: "output «swing.angle» = crank.angle;" => "the name of an output is one word\nhelp: write `output swing_angle = crank.angle;`";
     item a_joint_as_in_modelica: "«Revolute» pin(ground.C, ram.B);" => "`Revolute` is no item of a mechanism\nhelp: write `joint pin = revolute(P, Q);`";
     item a_depth_with_a_name: "body b { mass = 1kg; inertia = block(20mm, «d»: 5mm); }" => "values in parentheses have no names here\nhelp: write `(20mm, 5mm)`";
     item a_closure_of_an_angle: "let law = «|»phi| 2Nm_rad * phi;" => "a law of another quantity than `t` is a function, and is given by its name\nhelp: write `function law(phi: Angle) -> Torque = 2Nm_rad * phi;`";
@@ -137,7 +151,7 @@ crate::refusals! {
     item equation_with_a_single_equal_sign: "joint a = { crank.x «=» 0; }" => "an equation is written with `==`\nhelp: write `lhs == rhs;`";
     item equation_without_right_side: "joint a = { crank.x == «;» }" => "expected an expression, found `;`";
     item choice_without_else: "output b = if length < 1 { 1 }«;»" => "expected `else { value }`, found `;`";
-    item choice_without_relation: "output b = if length «{» 1 } else { 2 };" => "expected a relation such as `<` or `!=`, found `{`";
+    item choice_without_relation: "output b = if length «{» 1 } else { 2 };" => "expected a relation such as `<` or `>=`, found `{`";
     item pair_without_parentheses: "body b { point P = «0mm», 0mm; }" => "the coordinates of a point stand in parentheses\nhelp: write `(0mm, 0mm)`";
     item comma_after_a_point: "body b { point P = (0mm, 0mm)«,» point Q = (0mm, 1mm); }" => "expected `;`, found `,`\nhelp: `;` ends each item, `,` stands between arguments";
     item empty_parentheses: "output b = «()»;" => "expected an expression, found `()`";

@@ -40,6 +40,8 @@ crate::refusals! {
     item start_that_moves: "body b { start angle = «crank.angle»; }" => "a start value may depend on parameters only, not on what moves\nhelp: write where it is about";
     item function_of_time: "function f(a: Angle) -> Length = 1mm / 1s * «t»;" => "a function of one variable does not change with time: `t` cannot be used in it";
     item function_without_argument: "function f(Angle) -> Length = «2mm»;" => "a function written here names its argument\nhelp: write `function name(x: Angle) -> Length = …;`, or give the path of a Rust function";
+    item equality_of_fractions: "let n = 3; output b = if «n / 2 == 1» { 1 } else { 2 };" => "equality of measured numbers is an accident\nhelp: compare with `<`, `<=`, `>` or `>=`";
+    item equality_of_measures: "output b = if «2mm == 2mm» { 1 } else { 2 };" => "equality of measured numbers is an accident\nhelp: compare with `<`, `<=`, `>` or `>=`";
     item equality_in_a_choice: "output b = if «length == 1» { 1 } else { 2 };" => "equality of measured numbers is an accident\nhelp: compare with `<`, `<=`, `>` or `>=`";
     item list_outside_a_table: "output b = «[1, 2]»;" => "a list can only be an argument of `table`, `spline` or `segments`\nhelp: a vector is written `(x, y)`, in space `(x, y, z)`; of an array each element has a line of its own, `let a[0] = …;`";
     item table_of_no_list: "output b = table(crank.angle, «5»);" => "expected a list of pairs, such as `[(0deg, 0mm), (90deg, 5mm)]`";

@@ -53,7 +53,7 @@ pub enum MotionFact {
     JointWithoutValue { definition: String, wanted: JointValue, kind: String, instead: Option<String> },
     FreedomOfNothing { name: String, value: String, coordinate: String },
     FreedomOfOrientation { name: String, body: String },
-    FreedomOfJoint { name: String, joint: String, offers: Vec<String> },
+    FreedomOfJoint { name: String, joint: String, offers: Vec<String>, start: String },
     FreedomIsHeld { freedom: String, of: usize, by: Vec<String>, free: Vec<String> },
     SliceBesideFreedom { output: String, freedom: Option<String> },
     RangeBesideFreedom { freedom: Option<String> },

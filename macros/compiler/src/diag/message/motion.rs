@@ -196,9 +196,9 @@ impl Display for MotionFact {
                 write!(f, "a freedom is a number or a vector, found an orientation")?;
                 write!(f, "\nhelp: three turns are free: write `freedom {name} = {body}.angular_velocity;`")
             }
-            MotionFact::FreedomOfJoint { name, joint, offers } => {
+            MotionFact::FreedomOfJoint { name, joint, offers, start } => {
                 write!(f, "a freedom is a number or a vector, and `{joint}` is a joint")?;
-                let lines: Vec<String> = offers.iter().map(|offer| format!("freedom {name} = {offer};")).collect();
+                let lines: Vec<String> = offers.iter().map(|offer| format!("freedom {name} = {offer}{start};")).collect();
                 match lines.as_slice() {
                     [] => Ok(()),
                     [only] => write!(f, "\nhelp: write `{only}`"),

@@ -121,6 +121,9 @@ impl Display for NameFact {
                 if near.is_none() && known.count > 0 {
                     write!(f, "\nnote: it has {}", first_of(&known.first, known.count))?;
                 }
+                if near.is_none() && owner == "`ground`" {
+                    write!(f, "\nhelp: declare it, such as `ground {{ point {name} = (…); }}`")?;
+                }
                 Ok(())
             }
             NameFact::NoHeight { owner, is_axis } => {
@@ -290,7 +293,8 @@ impl Display for NameFact {
                 )
             }
             NameFact::Reserved { name } => {
-                let other = if ["x", "y", "z"].contains(&name.as_str()) { "u" } else { &format!("{name}_1") };
+                let axes = [("x", "u"), ("y", "v"), ("z", "w")];
+                let other = axes.into_iter().find(|(known, _)| name == known).map_or_else(|| format!("{name}_1"), |(_, other)| other.to_owned());
                 write!(f, "`{name}` has a meaning of its own in expressions\nhelp: choose another name, such as `{other}`")
             }
             NameFact::Generated { name } => {
