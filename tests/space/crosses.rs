@@ -1,6 +1,8 @@
 //! The two angles of a universal joint, and the place of a planar joint.
 
 use reuleaux::nalgebra::{Rotation3, Vector3};
+use std::f64::consts::TAU;
+
 use reuleaux::{Coordinate, Description, State, mechanism};
 
 mechanism! {
@@ -145,4 +147,38 @@ fn coordinates_named_like_angles_of_joints_hold_them() {
     let found = [named(&doors, &state, "from_door", "angle"), named(&doors, &state, "from_frame", "angle")].concat();
     let wanted = [30_f64.to_radians() + 0.8, 2.0, 40_f64.to_radians() + 1.2, 3.0];
     assert!(found.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-14), "{found:?}, not {wanted:?}");
+}
+
+mechanism! {
+    /// A shaft in bearings behind a cross that is bent far: it swings through half a turn at once, and rests before and after it.
+    mechanism Bent in space {
+        param bend: Angle = 89deg;
+        ground {
+            axis x = (1, 0, 0) from (0, 0, 1);
+            axis way = (cos(bend), sin(bend), 0) from (0, 0, 1);
+            point F = (1m * cos(bend), 1m * sin(bend), 0m);
+        }
+        body input  { axis x = (1, 0, 0) from (0, 0, 1);  axis arm = (0, 0, 1) from (0, 1, 0); }
+        body output { axis x = (1, 0, 0) from (0, 0, 1);  axis arm = (0, 1, 0) from (0, 0, 1);  point E = (1m, 0m, 0m); }
+        joint bearing = revolute(ground.position, ground.x, input.position, input.x);
+        joint far = revolute(ground.F, ground.way, output.E, output.x);
+        joint cross_pin = perpendicular_axes(input.arm, output.arm);
+        drive motor = drive_rotation(bearing, 1rad_s * t);
+        output turn = far.angle;
+    }
+}
+
+/// tan β = tan α cos δ
+#[test]
+fn no_turn_is_lost_behind_a_cross_that_is_bent_far() {
+    for bend in [80.0_f64, 89.0, 89.9] {
+        let bent = Bent { bend: bend.to_radians() };
+        for k in 0..64 {
+            let t = 0.013 + 0.31 * f64::from(k);
+            let found = bent.turn(&bent.solve(t).expect("a state")).value;
+            let within = (t.sin() * bent.bend.cos()).atan2(t.cos());
+            let wanted = within + TAU * ((t - within) / TAU).round();
+            assert!((found - wanted).abs() < 1e-9, "{bend}° at t = {t}: {found}, not {wanted}");
+        }
+    }
 }

@@ -133,7 +133,7 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
             Ok((there, _)) if is_behind_peak(&waypoint, &here, &there) || !is_solved && turns_on(mechanism, &here.q, &there.q) => {
                 Err(StepError::Far)
             }
-            Ok((there, _)) if !is_same_branch(mechanism, &here, &there) && halves(mechanism, &mut step, next, &here, t - state.t) => {
+            Ok((there, _)) if !stays(mechanism, &here, &there) && halves(mechanism, &mut step, next, &here, t - state.t) => {
                 continue;
             }
             Ok((there, _)) if !keeps_sides(mechanism.links, &here.q, &there.q) => Err(StepError::Far),
@@ -172,6 +172,31 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
         }
     }
     Err(Ended::TooManySteps { steps: most, here })
+}
+
+/// Whether a step stayed on its branch.
+#[inline(never)]
+fn stays<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &State<T, N>, there: &State<T, N>) -> bool {
+    is_same_branch(mechanism, here, there) && (!turns_on(mechanism, &here.q, &there.q) || is_followed_by_halves(mechanism, here, there))
+}
+
+/// Whether a step in which drives turn on stays on its branch also where each of them has turned by half a turn: behind a cross that is bent far, a
+/// shaft swings through half a turn at once and rests before and after it.
+#[cold]
+#[inline(never)]
+fn is_followed_by_halves<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &State<T, N>, there: &State<T, N>) -> bool {
+    let half = T::of(core::f64::consts::PI);
+    mechanism.computed_angles.iter().all(|&i| {
+        let way = there.q.get(i).zip(here.q.get(i)).map_or(T::of(0.0), |(&to, &from)| (to - from).abs());
+        // Each comparison is false of NaN.
+        let is_long = way > half;
+        if !is_long {
+            return true;
+        }
+        let h = (there.t - here.t) * (half / way);
+        let between = cold_state(mechanism, here.t + h, ColdSolver::from_prediction(mechanism, here, h));
+        between.is_ok_and(|(between, _)| is_same_branch(mechanism, here, &between))
+    })
 }
 
 /// Whether a step leads away from a place that is so nearly singular that rounding would choose between the branches that cross there: their

@@ -129,7 +129,8 @@ fn step_in_place<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
     found
 }
 
-/// Whether the prediction backwards meets the state before, as [`comes_from`] defines it.
+/// Whether the prediction backwards meets the state before, as [`comes_from`] defines it, and no computed angle has turned by more than half a
+/// turn: what happened in between is left to a continuation.
 #[cold]
 #[inline(never)]
 fn returns<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
@@ -139,7 +140,13 @@ fn returns<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
     there: Moment<'_, T, N>,
     condition: T,
 ) -> T::Mask {
-    comes_from(equations.characteristic_length(), (E::ITERATED, E::COORDINATES), here, h, there, condition)
+    let mut returned = comes_from(equations.characteristic_length(), (E::ITERATED, E::COORDINATES), here, h, there, condition);
+    for &i in E::COMPUTED_ANGLES {
+        if i < N {
+            returned = returned.and((there.q[i] - here.q[i]).abs().at_most(T::of(core::f64::consts::PI)));
+        }
+    }
+    returned
 }
 
 /// The sum of a number and these entries.
