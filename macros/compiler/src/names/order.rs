@@ -36,7 +36,7 @@ pub(crate) fn as_written(definition: &Definition, places: &[usize], given: &[Arg
 
 /// The call with ground for a body or a point that is missing, before the other one if that stands beside it, and the direction of x for an axis in the
 /// plane; `None` if something else is missing. `given`: each argument with the number of its parameter.
-pub(crate) fn completed(definition: &Definition, given: &[(usize, String)], ambient: Ambient) -> Option<String> {
+pub(crate) fn completed(names: &Names, definition: &Definition, given: &[(usize, String)]) -> Option<String> {
     let is_given = |index: usize| given.iter().any(|(place, _)| *place == index);
     // Ground is one body: it stands for one of two.
     let may_be_completed = |is_of: fn(&FormalKind) -> bool| {
@@ -63,7 +63,10 @@ pub(crate) fn completed(definition: &Definition, given: &[(usize, String)], ambi
                 }
                 written.insert(place, ground.to_owned());
             }
-            (None, FormalKind::Axis) if ambient == Ambient::Plane => written.push("(1, 0)".to_owned()),
+            (None, FormalKind::Axis) if names.ambient == Ambient::Plane => {
+                let beside = written.last().and_then(|point| names.axis_beside(point));
+                written.push(beside.unwrap_or("(1, 0)".to_owned()));
+            }
             (None, _) => return None,
         }
     }
@@ -71,6 +74,13 @@ pub(crate) fn completed(definition: &Definition, given: &[(usize, String)], ambi
 }
 
 impl Names {
+    /// The first axis of the body whose point this is.
+    fn axis_beside(&self, point: &str) -> Option<String> {
+        let (owner, _) = point.rsplit_once('.')?;
+        let frame = self.frames.iter().position(|frame| frame.name == owner)?;
+        self.an_axis_of(FrameId(frame)).map(|axis| format!("{owner}.{axis}"))
+    }
+
     /// The call with two points, axes or bodies of a joint in the place of its name; `None` if they are not all that is missing.
     pub(crate) fn with_ends(&self, arena: &Arena, definition: &Definition, given: &[Argument], values: &[Value]) -> Option<ArityFact> {
         let (Some((joint, rest)), Some(Value::Joint { kind, arguments })) = (given.split_first(), values.first()) else { return None };

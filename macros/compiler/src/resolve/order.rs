@@ -57,7 +57,7 @@ impl Elaborator<'_> {
             return Some(());
         }
         let names = missing.iter().map(|formal| formal.name.to_string()).collect();
-        let instead = completed(definition, &written, self.names.ambient).map_or(MeantFor::Nothing, MeantFor::Complete);
+        let instead = completed(&self.names, definition, &written).map_or(MeantFor::Nothing, MeantFor::Complete);
         self.refuse(kind, too_few(definition, given.len(), names, instead))
     }
 }

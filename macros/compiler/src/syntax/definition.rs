@@ -1,6 +1,6 @@
 //! Parses definitions of constraints, and the statements that they share with mechanisms.
 
-use super::ast::{Added, Applied, Condition, Definition, ExpressionKind, Formal, FormalKind, Let, MassItem, Statement};
+use super::ast::{Added, Applied, Condition, Definition, Dimension, ExpressionKind, Formal, FormalKind, Let, MassItem, Statement};
 use super::dimension::{dimension, dimension_of_value, required_dimension};
 use super::expression::{declared, expression, in_brackets, relation, value};
 use super::tokens::{
@@ -234,11 +234,23 @@ pub(super) fn ambient(input: ParseStream) -> Parsed<Option<Ambient>> {
     Ok(Some(found))
 }
 
+/// True before `: usize`.
+fn is_type_of_rust(input: ParseStream) -> bool {
+    const TYPES: [&str; 14] = ["usize", "isize", "u8", "u16", "u32", "u64", "i8", "i16", "i32", "i64", "f32", "f64", "int", "float"];
+    input.parse::<Token![:]>().is_ok() && keyword(input).is_some_and(|word| TYPES.iter().any(|known| word == known))
+}
+
 /// `let name: Dimension = value;`
 pub(super) fn binding(input: ParseStream) -> Parsed<Let> {
     input.parse::<Token![let]>()?;
     let (name, indices) = declared(input, "a name after `let`")?;
+    let before = input.fork();
     let dimension = if input.peek(Token![:]) { Some(required_dimension(input)?) } else { None };
+    if let Some(Dimension { range, .. }) = dimension.as_ref().filter(|_| is_type_of_rust(&before)) {
+        equals(input)?;
+        let instead = format!("let {name}{} = {};", in_brackets(&indices), expression(input)?);
+        return wrong(*range, GrammarFact::Misspelt { flaw: "a `let` takes its dimension from its value, and no type", instead });
+    }
     let value = value(input, format_args!("let {name}{}", in_brackets(&indices)))?;
     Ok(Let { name, indices, dimension, value })
 }

@@ -257,6 +257,7 @@ fn atom(input: ParseStream, room: u16) -> Parsed<Expression> {
             return call(input, path, room);
         }
         no_constant(&path)?;
+        no_bare_argument(input, &path, room)?;
         let range = path.range;
         return node(ExpressionKind::Path(path), range);
     }
@@ -266,6 +267,20 @@ fn atom(input: ParseStream, room: u16) -> Parsed<Expression> {
         return wrong(input.span(), GrammarFact::Return { is_segment: input.peek2(token::Paren) });
     }
     expected(input, "an expression")
+}
+
+/// Refuses `sin b.angle`.
+fn no_bare_argument(input: ParseStream, path: &Path, room: u16) -> Parsed<()> {
+    const FUNCTIONS: [&str; 10] = ["sin", "cos", "tan", "asin", "acos", "atan", "sqrt", "exp", "ln", "rate"];
+    let is_function = path.name.as_ref().is_some_and(|name| FUNCTIONS.iter().any(|function| name == function));
+    let is_behind = input.peek(Lit)
+        || keyword(input).is_some_and(|word| !["at", "from", "along", "with", "if", "else"].iter().any(|known| word == known));
+    if !is_function || !is_behind {
+        return Ok(());
+    }
+    let argument = power(&input.fork(), room)?;
+    let instead = format!("{}({argument})", path.last);
+    wrong(path.range.to(argument.range), GrammarFact::Misspelt { flaw: "a function has its argument in parentheses", instead })
 }
 
 fn number(input: ParseStream) -> Parsed<Expression> {
@@ -355,6 +370,11 @@ fn call(input: ParseStream, path: Path, room: u16) -> Parsed<Expression> {
     let (content, range) = parentheses(input)?;
     let arguments = list(&content, room)?;
     let range = path.range.to(range);
+    if path.name.is_none() && path.last == "new" && matches!(arguments.len(), 2 | 3) {
+        let parts: Vec<String> = arguments.iter().map(ToString::to_string).collect();
+        let instead = format!("({})", parts.join(", "));
+        return wrong(range, GrammarFact::Misspelt { flaw: "a vector is written by its components", instead });
+    }
     node(ExpressionKind::Call(path, arguments), range)
 }
 

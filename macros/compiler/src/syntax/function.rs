@@ -6,6 +6,7 @@ use super::expression::{expression, value};
 use super::tokens::{Parsed, docs, equals, expected, name, parentheses, report, wrong};
 use crate::diag::{Diag, GrammarFact};
 use crate::quantity::Dim;
+use crate::words::usual_dimension;
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
@@ -26,6 +27,14 @@ pub(super) fn function(input: ParseStream) -> Parsed<FunctionItem> {
     let (content, _) = parentheses(input)?;
     let argument = content.cursor().token_stream().to_string().replace(" :", ":");
     let is_named = content.peek2(Token![:]) && !content.peek2(Token![::]);
+    if !is_named
+        && input.peek(Token![->])
+        && argument.starts_with(char::is_lowercase)
+        && argument.bytes().all(|letter| letter.is_ascii_alphanumeric() || letter == b'_')
+    {
+        let instead = format!("function {name}({argument}: {})", usual_dimension(&argument).unwrap_or("Number"));
+        return wrong(content.span(), GrammarFact::Misspelt { flaw: "the argument of a function has a dimension", instead });
+    }
     let own = if is_named { Some(self::name(&content, "the name of the argument")?) } else { None };
     let from = if is_named { required_dimension(&content)? } else { dimension(&content)? };
     if !content.is_empty() {

@@ -5,7 +5,7 @@ use super::ast::{
     Shared, StartItem, Task, TimeRange, Use, has_item,
 };
 use super::definition::{ambient, binding};
-use super::expression::{expression, value};
+use super::expression::{expression, indices, value};
 use super::frame::{body, ground};
 use super::function::function;
 use super::joint::{energy, freedom, joint};
@@ -220,6 +220,9 @@ fn unknown_item<T>(input: ParseStream, keyword: &Ident, ItemContext { is_top, va
     if let (true, Some(name)) = (["point", "axis"].contains(&word.as_str()), &name) {
         return wrong(keyword, GrammarFact::FeatureOutside { word, name: name.clone(), in_component: !is_top && variable.is_none() });
     }
+    if let Some((flaw, instead)) = of_other_kind(&word, &rest.fork())?.filter(|_| name.is_none() || word == "if") {
+        return wrong(keyword, GrammarFact::Misspelt { flaw, instead });
+    }
     let sets_solver = rest.peek(Token![=]) && ["solver", "integrator", "method", "tolerance", "simulation"].contains(&word.as_str());
     if is_command(&word) && name.is_none() && (rest.peek(token::Paren) || sets_solver) {
         return wrong(keyword, GrammarFact::UnknownItem { word, name, home: None });
@@ -260,9 +263,38 @@ fn unknown_item<T>(input: ParseStream, keyword: &Ident, ItemContext { is_top, va
     let is_frame = ["fixed", "frame", "base", "world"].contains(&word.as_str());
     let home = match home(&word, ambient) {
         Some(_) if rest.peek(token::Brace) => (!is_frame).then_some(Home::Body),
+        None if rest.peek(token::Brace) && name.is_some() && is_of_body(&word) => Some(Home::Body),
         home => home,
     };
     wrong(keyword, GrammarFact::UnknownItem { word, name, home })
+}
+
+/// True for `RigidBody2D`.
+fn is_of_body(word: &str) -> bool {
+    word.starts_with(char::is_uppercase) && is_synonym("body", &word.trim_end_matches("2D").trim_end_matches("3D").to_lowercase())
+}
+
+/// A choice of items, a field of a struct, and an element of an array without its kind: what is wrong, and the line to type.
+fn of_other_kind(word: &str, rest: ParseStream) -> Parsed<Option<(&'static str, String)>> {
+    if word == "if" {
+        return Ok(Some(("items are not chosen: let a loop begin where they do, or choose a value", "for i in 1..n { … }".to_owned())));
+    }
+    if rest.peek(Token![:]) && !rest.peek(Token![::]) {
+        let text = statement_text(rest)?;
+        let dimension = text.split('=').next().unwrap_or_default().trim_start_matches(':');
+        return Ok(Some(("an item begins with its kind", format!("param {word}: {dimension} = …;"))));
+    }
+    if !rest.peek(token::Bracket) {
+        return Ok(None);
+    }
+    let place: String = indices(rest)?.iter().map(|index| format!("[{index}]")).collect();
+    if !rest.peek(Token![=]) {
+        return Ok(None);
+    }
+    let text = statement_text(rest)?;
+    let kind = if text.trim_start_matches(['=', ' ']).starts_with(char::is_uppercase) { "part" } else { "let" };
+    let text = text.replacen('=', " = ", 1);
+    Ok(Some(("an item begins with its kind", format!("{kind} {word}{place}{text};"))))
 }
 
 /// The item that was meant by `name = value` or, as in other languages, `type name = value`; none for a word that belongs elsewhere.

@@ -153,6 +153,15 @@ pub(super) fn semicolon(input: ParseStream) -> Parsed<()> {
             return wrong(input.span(), GrammarFact::BoundsElsewhere);
         }
     }
+    match keyword(input) {
+        Some(word) if word == "limit" || word == "limits" => {
+            return wrong(&word, GrammarFact::UnknownItem { word: word.to_string(), name: None, home: None });
+        }
+        Some(word) if word == "rpy" || word == "euler" => {
+            return wrong(&word, GrammarFact::UnknownBodyItem { word: word.to_string(), is_point: true });
+        }
+        _ => {}
+    }
     if !input.peek(Token![;]) {
         let what = if input.cursor().punct().is_some() { "an operator or `;`" } else { "`;`" };
         return expected(input, what);

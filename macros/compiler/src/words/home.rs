@@ -95,7 +95,11 @@ const HOMES: [(&[&str], Home, Home); 32] = [
         Home::Joint(&["revolute(P, Q)"]),
         Home::Joint(&["constant_velocity(P, a, Q, b)"]),
     ),
-    (&["floating", "free", "free_joint", "floating_joint", "free_flyer", "freeflyer", "six_dof"], Home::Nothing, Home::Nothing),
+    (
+        &["floating", "free", "free_joint", "freejoint", "floating_joint", "free_flyer", "freeflyer", "six_dof"],
+        Home::Nothing,
+        Home::Nothing,
+    ),
     (&["cylindrical"], Home::Joint(&["translational(u, P, Q)"]), Home::Joint(&["cylindrical(P, a, Q, b)"])),
     (
         &["screw", "lead_screw", "ball_screw", "helical"],

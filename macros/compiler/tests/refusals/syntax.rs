@@ -1,6 +1,18 @@
 //! Mistakes of grammar.
 
 crate::refusals! {
+    item a_vector_of_nalgebra: "let p = «Vec2::new(250mm, 0mm)»;" => "a vector is written by its components\nhelp: write `(250mm, 0mm)`";
+    item a_let_with_a_type: "let n: «usize» = 4;" => "a `let` takes its dimension from its value, and no type\nhelp: write `let n = 4;`";
+    item a_function_of_a_bare_argument: "function g(«psi») -> Length = 1mm;" => "the argument of a function has a dimension\nhelp: write `function g(psi: Angle)`";
+    item a_function_without_parentheses: "let a = «sin crank.angle»;" => "a function has its argument in parentheses\nhelp: write `sin(crank.angle)`";
+    item a_body_with_a_limit: "joint b = revolute(crank.A, ram.B) «limit» -90deg..90deg;" => "`limit` is no item of a mechanism\nhelp: ends of a motion are forces, `stop`, `stop_along` and `torsion_stop`; a parameter has bounds, `param a: Angle = 0deg in -90deg..=90deg;`";
+    item an_inertial_of_urdf: "body b { «inertial» { mass = 2kg; } }" => "`inertial` is no item of a body\nhelp: write `mass = …;`, `center = …;` and `inertia = …;` in the body itself";
+    item a_body_of_exudyn: "«RigidBody2D» bob { }" => "`RigidBody2D` is no item of a mechanism\nhelp: write `body bob { … }`";
+    item a_geom_of_mujoco: "«geom» g { }" => "`geom` is no item of a mechanism\nhelp: a body has `mass`, `center` and `inertia`, as in `inertia = block(2cm, 3cm, 4cm);`";
+    item a_field_of_a_struct: "«width»: Length = 60mm;" => "an item begins with its kind\nhelp: write `param width: Length = …;`";
+    item an_element_without_its_kind: "for i in 0..2 { «leg»[i] = Leg(crank.A); }" => "an item begins with its kind\nhelp: write `part leg[i] = Leg(crank.A);`";
+    item an_item_by_choice: "for i in 0..2 { «if» i > 0 { body b[i] { } } }" => "items are not chosen: let a loop begin where they do, or choose a value\nhelp: write `for i in 1..n { … }`";
+    item a_spring_with_a_damper: "force s = spring(ground.O, crank.A, 5N_m, 1m, «2Ns_m»);" => "`spring` takes 3 or 4 arguments, found 5\nhelp: a spring with a damper is `spring_damper(P, Q, stiffness, rest, damping)`\nnote: `spring(P: Point, Q: Point, stiffness: Stiffness, rest: Length = …)`";
     item a_unit_in_capitals: "let w = «600 RPM»;" => "a unit is one word right behind its number\nhelp: write `600rpm`";
     item a_unit_in_words: "let l = «400 millimeter»;" => "a unit is one word right behind its number\nhelp: write `400mm`";
     item a_unit_in_words_of_many: "let m = «1.5 kilograms»;" => "a unit is one word right behind its number\nhelp: write `1.5kg`";

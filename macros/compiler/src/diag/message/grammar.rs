@@ -241,6 +241,15 @@ impl Display for GrammarFact {
                 )?;
                 write!(f, "; a parameter has bounds, `param a: Angle = 0deg in -90deg..=90deg;`")
             }
+            GrammarFact::UnknownItem { word, .. } if ["geom", "visual", "collision", "shape", "mesh"].contains(&word.as_str()) => {
+                write!(
+                    f,
+                    "`{word}` is no item of a mechanism\nhelp: a body has `mass`, `center` and `inertia`, as in `inertia = block(2cm, 3cm, 4cm);`"
+                )
+            }
+            GrammarFact::UnknownItem { word, .. } if word == "worldbody" => {
+                write!(f, "`{word}` is no item of a mechanism\nhelp: take it away; what stands still is `ground {{ … }}`")
+            }
             GrammarFact::UnknownItem { word, name, home: Some(home) } => {
                 let name = name.as_deref().unwrap_or("name");
                 write!(f, "`{word}` is no item of a mechanism\nhelp: ")?;
@@ -345,6 +354,9 @@ impl Display for GrammarFact {
             {
                 write!(f, "`{word}` is no item of a body\nhelp: write `start angle = …;` for about how the body is turned at t = 0, ")?;
                 write!(f, "in space `start orientation = turn((0, 0, 1), 90deg);`")
+            }
+            GrammarFact::UnknownBodyItem { word, .. } if word == "inertial" => {
+                write!(f, "`{word}` is no item of a body\nhelp: write `mass = …;`, `center = …;` and `inertia = …;` in the body itself")
             }
             GrammarFact::UnknownBodyItem { word, is_point: true } if word == "position" => {
                 write!(f, "`{word}` is no item of a body\nhelp: write `start {word} = …;` for about where the body is at t = 0")
