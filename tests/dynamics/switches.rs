@@ -290,3 +290,32 @@ fn an_event_in_space_where_a_force_jumps_has_the_derivative_of_its_instant() {
     let turn = state.top().angular_velocity.z;
     assert!((turn.value - 1.0).abs() < 1e-12 && (turn.by[0] - 1.0).abs() < 1e-9, "{turn:?}");
 }
+
+mechanism! {
+    /// A driven place that is chosen by another one, which is driven by a later item, beside a freedom.
+    pub(crate) mechanism Reading {
+        body reading { mass = 1kg; }
+        body read { mass = 1kg; }
+        body wheel { mass = 1kg;  inertia = 0.1kgm2; }
+        joint turned = absolute_angle(reading, 0);
+        joint turned_too = absolute_angle(read, 0);
+        joint height = absolute_y(reading.position, 0m);
+        joint height_too = absolute_y(read.position, 0m);
+        joint bearing = revolute((0m, 0m), wheel.position);
+        drive law = drive_x(reading.position, if read.x < 1m { 0.5m } else { 0.5m + 0.1m_s * (t - 1s) });
+        drive other = drive_x(read.position, 1m_s * t);
+        freedom spin = wheel.angle from 0.2rad at 1rad_s;
+    }
+}
+
+#[test]
+fn a_driven_place_is_chosen_by_the_state_at_hand() {
+    let reading = Reading::default();
+    let mut state = reading.initial_state().expect("a state");
+    let mut integrator = Integrator::new(1e-9);
+    for (t, wanted) in [(0.5, [0.5, 0.0]), (1.1, [0.51, 0.1]), (1.5, [0.55, 0.1])] {
+        reading.advance(&mut state, t, &mut integrator).expect("a motion");
+        let found = state.reading();
+        assert!((found.position.x - wanted[0]).abs() < 1e-12 && (found.velocity.x - wanted[1]).abs() < 1e-12, "t = {t}: {found:?}");
+    }
+}

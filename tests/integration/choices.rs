@@ -116,3 +116,54 @@ fn a_law_may_depend_on_a_later_drive_without_a_derivative() {
         assert_eq!(state.reading().angular_velocity, 3.0);
     }
 }
+
+mechanism! {
+    /// A law in two pieces that meet, chosen by the angle that it drives.
+    #[closure(off)]
+    mechanism OfItself {
+        body b { }
+        joint pivot = revolute(ground.position, b.position);
+        drive law = drive_angle(b, if b.angle < 1rad { 1rad_s * t } else { 1rad + 2rad_s * (t - 1s) });
+    }
+}
+
+mechanism! {
+    /// Two places by linear equations, one of which is chosen by one of them.
+    #[closure(off)]
+    mechanism OfBoth {
+        body a { }
+        body b { }
+        joint turned_a = absolute_angle(a, 0);
+        joint turned_b = absolute_angle(b, 0);
+        joint height_a = absolute_y(a.position, 0m);
+        joint height_b = absolute_y(b.position, 0m);
+        joint sum = { a.x + b.x == 1m; }
+        drive difference = { a.x - b.x == if a.x > 0.4m { 0.5m + 0.01m_s * t } else { 0.1m + 0.01m_s * t }; }
+    }
+}
+
+mechanism! {
+    /// Two laws that are chosen by each other.
+    #[closure(off)]
+    mechanism OfEachOther {
+        body a { }
+        body b { }
+        joint pivot_a = revolute(ground.position, a.position);
+        joint pivot_b = revolute((1m, 0m), b.position);
+        drive law_a = drive_angle(a, (if b.angle < 1rad { 0.1rad } else { 0.2rad }) + 1rad_s * t);
+        drive law_b = drive_angle(b, (if a.angle < 0.05rad { 0.3rad } else { 0.9rad }) + 2rad_s * t);
+    }
+}
+
+/// The only solutions.
+#[test]
+fn choices_by_unknowns_of_their_own_block_are_solved() {
+    for (t, wanted) in [(0.5, [0.5, 1.0]), (1.5, [2.0, 2.0]), (2.0, [3.0, 2.0])] {
+        let state = OfItself::default().solve(t).expect("a state");
+        assert!((state.b().angle - wanted[0]).abs() < 1e-15 && (state.b().angular_velocity - wanted[1]).abs() < 1e-15, "t = {t}");
+    }
+    let state = OfBoth::default().solve(0.0).expect("a state");
+    assert!((state.a().position.x - 0.75).abs() < 1e-15 && (state.b().position.x - 0.25).abs() < 1e-15);
+    let state = OfEachOther::default().solve(0.1).expect("a state");
+    assert!((state.a().angle - 0.3).abs() < 1e-15 && (state.b().angle - 1.1).abs() < 1e-15);
+}

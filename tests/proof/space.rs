@@ -10,6 +10,7 @@ mechanism! {
         body wheel { axis x = (1, 0, 0); }
         joint bearing = revolute(ground.position, ground.x, wheel.position, wheel.x);
         drive motor = drive_rotation(bearing, 1rad_s * t + 0.25rad_s2 * t^2);
+        slice output alone = wheel;
     }
 }
 
@@ -83,6 +84,8 @@ fn bodies_in_space_keep_their_angular_velocity() {
         let state = wheel.solve(t).expect("a state");
         is_bounded_and_polished(&wheel, &state);
         is_bounded_and_polished(&plate, &plate.solve(t).expect("a state"));
+        let slice = wheel.solve_for_alone();
+        is_bounded_and_polished(&slice, &slice.solve(t).expect("a state"));
         let mut polished = state.clone();
         wheel.polish(&mut polished.0).expect("digits");
         assert!((polished.wheel().angular_velocity.x - 1.0 - 0.5 * t).abs() < 1e-15 && polished.wheel().angular_acceleration.x == 0.5);

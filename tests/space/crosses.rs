@@ -182,3 +182,76 @@ fn no_turn_is_lost_behind_a_cross_that_is_bent_far() {
         }
     }
 }
+
+mechanism! {
+    /// One joint with two rows of perpendicular axes, for two bodies.
+    mechanism Twofold in space {
+        ground { axis z = (0, 0, 1) from (1, 0, 0); }
+        body b { axis n = (1, 0, 0) from (0, 1, 0); }
+        body c { axis n = (1, 0, 0) from (0, 1, 0); }
+        joint own = {
+            ground.position == b.position;
+            ground.position == c.position;
+            dot(z_axis(ground.z), z_axis(b.n)) == 0;
+            dot(z_axis(ground.z), z_axis(c.n)) == 0;
+        }
+        drive one = { dot(x_axis(ground.z), x_axis(b.n)) == 0.1 * sin(1rad_s * t); }
+        drive two = { dot(z_axis(ground.z), x_axis(b.n)) == 0.3 * sin(1rad_s * t); }
+        drive three = { dot(x_axis(ground.z), x_axis(c.n)) == 0.2 * sin(1rad_s * t); }
+        drive four = { dot(z_axis(ground.z), x_axis(c.n)) == 0.2 * sin(2rad_s * t); }
+    }
+}
+
+mechanism! {
+    /// A hinge by two rows of one joint, which hold one axis across two others.
+    mechanism Crossed in space {
+        ground { axis u = (1, 0, 0);  axis v = (0, 1, 0); }
+        body b { axis z = (0, 0, 1);  axis u = (1, 0, 0); }
+        joint hinge = {
+            ground.position == b.position;
+            dot(z_axis(ground.u), z_axis(b.z)) == 0;
+            dot(z_axis(ground.v), z_axis(b.z)) == 0;
+        }
+        drive turn = { dot(z_axis(ground.v), z_axis(b.u)) == 0.5 * sin(1rad_s * t); }
+    }
+}
+
+#[test]
+fn a_joint_may_hold_several_pairs_of_axes_perpendicular() {
+    let t = 0.3_f64;
+    let state = Twofold::default().solve(t).expect("a state");
+    let [b, c] = [state.b().rotation, state.c().rotation];
+    // Columns 0 and 1 are n and the direction that it is declared with.
+    let found = [b[(2, 0)], c[(2, 0)], b[(0, 1)], b[(2, 1)], c[(0, 1)], c[(2, 1)]];
+    let wanted = [0.0, 0.0, 0.1 * t.sin(), 0.3 * t.sin(), 0.2 * t.sin(), 0.2 * (2.0 * t).sin()];
+    assert!(found.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-14), "{found:?}, not {wanted:?}");
+
+    let rotation = Crossed::default().solve(t).expect("a state").b().rotation;
+    let turned = Rotation3::from_axis_angle(&Vector3::z_axis(), (0.5 * t.sin()).asin());
+    assert!((rotation - turned.matrix()).norm() < 1e-14, "{rotation}");
+}
+
+mechanism! {
+    /// A parallelogram in space, one of whose cranks is solved for alone.
+    mechanism Parallelogram in space {
+        ground { axis z = (0, 0, 1);  point C = (1m, 0m, 0m); }
+        body crank { axis z = (0, 0, 1);  point P = (200mm, 0mm, 0mm); }
+        body rocker { axis z = (0, 0, 1);  point P = (200mm, 0mm, 0mm);  start orientation = turn((0, 0, 1), -60deg); }
+        joint near = revolute(ground.position, ground.z, crank.position, crank.z);
+        joint far = revolute(ground.C, ground.z, rocker.position, rocker.z);
+        joint rod = distance(crank.P, rocker.P, 1m);
+        drive motor = drive_rotation(near, -60deg + 1rad_s * t);
+        slice output alone = rocker;
+    }
+}
+
+/// At a change point and beside it both cranks turn alike.
+#[test]
+fn a_body_solved_for_alone_keeps_its_angular_velocity_at_a_change_point() {
+    let parallelogram = Parallelogram::default();
+    for off in [0.0, -1e-7, 1e-6] {
+        let state = parallelogram.solve_for_alone().solve(60_f64.to_radians() + off).expect("a state");
+        let found = parallelogram.alone(&state).angular_velocity;
+        assert!((found - Vector3::z()).norm() < 1e-6, "{off:e}: {found}");
+    }
+}

@@ -80,7 +80,7 @@ where
     let pivot = reached.pivots.smallest(&lengths(mechanism), &redundant(mechanism).sizes);
     let tolerance = tolerance.max(T::of(ROUNDING) * T::EPSILON / (pivot * pivot));
     // If drives determine all speeds, a speed may jump, since no momentum does. With derivatives it may not: that of the instant is unknown.
-    let may_jump = M == I + S::REDUNDANT && is_instant(h, from.t) && T::ZERO.derivative(0).is_none();
+    let may_jump = M == I + S::REDUNDANT && is_instant(h, from.t) && !T::HAS_DERIVATIVES;
     let speeds = if may_jump { &qd } else { &trial.end[1] };
     if !is_near(mechanism, [&trial.end[0], speeds], [&q, &qd], (tolerance, fastest)) {
         return Err(too_short(mechanism, &State::new(t, q, qd, from.qdd)));

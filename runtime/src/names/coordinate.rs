@@ -11,7 +11,7 @@ pub struct Coordinate {
     pub name: &'static str,
     /// The quantity that it measures.
     pub kind: CoordinateKind,
-    /// The meaning of q, q̇ and q̈ at its index.
+    /// The meaning of q, q̇ and q̈ at its index. Beside the first three entries of a rotation matrix stand ω and ω̇, whatever is said here.
     pub entries: CoordinateEntries,
 }
 

@@ -177,14 +177,14 @@ fn advance<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, state: &mut
 /// Whether a step stayed on its branch.
 #[inline(never)]
 fn stays<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &State<T, N>, there: &State<T, N>) -> bool {
-    is_same_branch(mechanism, here, there) && (!turns_on(mechanism, &here.q, &there.q) || is_followed_by_halves(mechanism, here, there))
+    is_same_branch(mechanism, here, there) && (!turns_on(mechanism, &here.q, &there.q) || stays_in_first_half_turns(mechanism, here, there))
 }
 
-/// Whether a step in which drives turn on stays on its branch also where each of them has turned by half a turn: behind a cross that is bent far, a
+/// Whether a step in which drives turn on stays on its branch also where each of them has made its first half turn: behind a cross that is bent far, a
 /// shaft swings through half a turn at once and rests before and after it.
 #[cold]
 #[inline(never)]
-fn is_followed_by_halves<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &State<T, N>, there: &State<T, N>) -> bool {
+fn stays_in_first_half_turns<T: Float, const N: usize>(mechanism: &Followed<'_, T, N>, here: &State<T, N>, there: &State<T, N>) -> bool {
     let half = T::of(core::f64::consts::PI);
     mechanism.computed_angles.iter().all(|&i| {
         let way = there.q.get(i).zip(here.q.get(i)).map_or(T::of(0.0), |(&to, &from)| (to - from).abs());

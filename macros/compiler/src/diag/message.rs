@@ -197,7 +197,7 @@ impl fmt::Display for Doubt {
             Doubt::NegativeRest { written, of } => {
                 write!(
                     f,
-                    "`{written}` is a length that no {of} has\nhelp: take the minus away, or name the number with `let` if it is meant"
+                    "`{written}` is negative, and no {of} is\nhelp: take the minus away, or name the number with `let` if it is meant"
                 )
             }
             Doubt::ConvertedTwice { written, instead } => {

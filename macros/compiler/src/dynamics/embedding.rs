@@ -6,7 +6,7 @@
 
 use super::{Masses, MotionRow, squares};
 use crate::expr::{Arena, Expr, Leaf, Substitution};
-use crate::system::Equation;
+use crate::system::{Equation, has_choices};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Coordinates written in those that are integrated.
@@ -19,6 +19,8 @@ pub(super) struct Embedding<'a> {
     solved: Vec<(usize, usize)>,
     /// Replaces explicit coordinates, speeds and accelerations.
     substitution: Substitution,
+    /// Whether a value may depend on a coordinate without a derivative by it, by a choice.
+    has_choices: bool,
 }
 
 /// An explicit coordinate.
@@ -38,7 +40,8 @@ struct Affine {
 
 impl Embedding<'_> {
     pub(super) fn new(arena: &mut Arena, coordinates: Vec<usize>) -> Embedding<'_> {
-        Embedding { arena, explicit: BTreeMap::new(), coordinates, solved: Vec::new(), substitution: Substitution::new() }
+        let has_choices = has_choices(arena);
+        Embedding { arena, explicit: BTreeMap::new(), coordinates, solved: Vec::new(), substitution: Substitution::new(), has_choices }
     }
 
     /// Solves the same rows for the same coordinates as another one.
@@ -86,8 +89,14 @@ impl Embedding<'_> {
 
     /// True if a coordinate is not explicit, and no explicit coordinate of the row depends on it.
     fn stands_alone(&self, row: &Equation, pivot: usize) -> bool {
-        let others = row.jacobian.iter().filter_map(|(other, _)| self.explicit.get(other));
-        !self.explicit.contains_key(&pivot) && !others.into_iter().any(|other| other.motion.factors.contains_key(&pivot))
+        let others = row.jacobian.iter().map(|(other, _)| other).chain(&row.read).filter_map(|other| self.explicit.get(other));
+        !self.explicit.contains_key(&pivot) && !others.into_iter().any(|other| self.depends(other, pivot))
+    }
+
+    /// True if an explicit coordinate depends on another one.
+    fn depends(&self, explicit: &Embedded, other: usize) -> bool {
+        let reads = || self.arena.leaves(explicit.value).contains(&Leaf::Coordinate(other as u32));
+        explicit.motion.factors.contains_key(&other) || self.has_choices && reads()
     }
 
     /// Solves a row for a coordinate.
@@ -117,7 +126,7 @@ impl Embedding<'_> {
         let new = self.explicit[&pivot].clone();
         self.note(pivot, &new);
         let dependent: Vec<usize> =
-            self.explicit.iter().filter(|(_, other)| other.motion.factors.contains_key(&pivot)).map(|(number, _)| *number).collect();
+            self.explicit.iter().filter(|(_, other)| self.depends(other, pivot)).map(|(number, _)| *number).collect();
         for number in dependent {
             let mut other = self.explicit[&number].clone();
             other.value = self.of(other.value);

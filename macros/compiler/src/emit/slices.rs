@@ -110,6 +110,8 @@ impl Emitter<'_> {
             let (whole, part) = name.rsplit_once('.').unwrap_or((name, "value"));
             match entry < outputs.len() {
                 true if is_of_velocities => quote!(::reuleaux::Coordinate::velocity(#whole, #part)),
+                // Entries of a rotation matrix.
+                true if part.len() == 3 && part.starts_with('a') => quote!(::reuleaux::Coordinate::number(#whole, #part)),
                 true => quote!(::reuleaux::Coordinate::length(#whole, #part)),
                 false => quote!(::reuleaux::Coordinate::jerk(#whole, #part)),
             }

@@ -147,8 +147,8 @@ pub struct Geometry {
     pub relations: Vec<(usize, usize, Relationship)>,
     /// Angles and displacements of joints, each with its expression, which is marked with its number here.
     pub quantities: Vec<(JointQuantity, Expr)>,
-    /// By joint that makes two axes perpendicular, their triads.
-    pub arms: BTreeMap<usize, [Triad; 2]>,
+    /// By joint and row that make two axes perpendicular, their triads.
+    pub arms: BTreeMap<(usize, usize), [Triad; 2]>,
     /// How axes are directed that joints make parallel.
     pub facing: Facing,
 }

@@ -64,18 +64,23 @@ fn swapped_carrier(item: &Item) -> Option<Warning> {
     Some(Warning { doubt: Doubt::CarrierAsRing { carrier: ring.value.to_string(), instead }, range: ring.value.range })
 }
 
-/// Doubts a driven distance that begins with a negative length.
+/// Doubts a driven distance that is negative at t = 0: a negative length alone, or with terms that contain `t`.
 fn negative_distance(item: &Item) -> Option<Warning> {
     let Item::Joint(joint) = item else { return None };
     let JointBody::Of { kind, arguments } = &joint.body else { return None };
-    let law = &arguments.last().filter(|_| kind == "drive_distance")?.value;
-    let mut first = law;
-    while let ExpressionKind::Binary(Operator::Add | Operator::Sub, one, _) = &first.kind {
+    let is_law = |argument: &&Argument| argument.name.as_ref().is_some_and(|name| name == "C");
+    let mut first = &arguments.iter().find(is_law).or(arguments.last()).filter(|_| kind == "drive_distance")?.value;
+    while let ExpressionKind::Binary(Operator::Add | Operator::Sub, one, two) = &first.kind {
+        let mut moves = false;
+        two.each(&mut |part| moves |= part.name().is_some_and(|name| name == "t"));
+        if !moves {
+            return None;
+        }
         first = one;
     }
     let ExpressionKind::Negative(length) = &first.kind else { return None };
-    let is_length =
-        matches!(&length.kind, ExpressionKind::Number { unit, .. } if quantity::unit(unit).is_some_and(|unit| unit.1 == Dim::LENGTH));
+    let ExpressionKind::Number { unit, .. } = &length.kind else { return None };
+    let is_length = quantity::unit(unit).is_some_and(|(_, dim)| dim == Dim::LENGTH);
     is_length.then(|| Warning { doubt: Doubt::NegativeRest { written: first.to_string(), of: "distance" }, range: first.range })
 }
 
@@ -129,7 +134,7 @@ fn negative_coefficients(item: &Item) -> Vec<Warning> {
         let is_stiffness = [Dim::FORCE.per(Dim::LENGTH), Dim::TORQUE.per(Dim::ANGLE)].contains(&dim);
         let is_damping = [Dim::FORCE.per(Dim::LENGTH).times(Dim::TIME), Dim::TORQUE.per(Dim::ANGLE).times(Dim::TIME)].contains(&dim);
         let doubt = if dim == Dim::LENGTH {
-            Doubt::NegativeRest { written: argument.value.to_string(), of: "spring" }
+            Doubt::NegativeRest { written: argument.value.to_string(), of: "rest length" }
         } else {
             Doubt::NegativeCoefficient { written: argument.value.to_string(), is_damping }
         };

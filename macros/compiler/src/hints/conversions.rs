@@ -1,8 +1,10 @@
 //! Warnings about conversions of quantities that carry their units: `2 * pi * speed / 60 * t`, `sin(arm.angle * pi / 180)`.
 
+use super::forms::as_factor;
 use crate::diag::{Doubt, Warning};
 use crate::quantity::{self, Dim};
 use crate::syntax::ast::{Expression, ExpressionKind, Item, Operator, every_item};
+use proc_macro2::Ident;
 use std::collections::BTreeMap;
 
 /// Names of parameters and inputs that are angles or angular velocities.
@@ -11,15 +13,20 @@ pub(super) struct Angular(BTreeMap<String, Dim>);
 impl Angular {
     pub(super) fn of(items: &[Item]) -> Angular {
         let mut named = BTreeMap::new();
-        for item in every_item(items) {
-            let (name, dim) = match item {
-                Item::Parameter(quantity) | Item::Input(quantity) => (&quantity.name, quantity.dimension.dim()),
-                Item::Let(binding) => (&binding.name, of_literal(&binding.value)),
-                _ => continue,
-            };
-            // A name that means something else elsewhere tells nothing.
+        // A name that means something else elsewhere tells nothing.
+        let mut note = |name: &Ident, dim: Option<Dim>| {
             let dim = dim.filter(|dim| is_angular(*dim)).unwrap_or(Dim::NUMBER);
             named.entry(name.to_string()).and_modify(|known| *known = if *known == dim { dim } else { Dim::NUMBER }).or_insert(dim);
+        };
+        for item in every_item(items) {
+            match item {
+                Item::Parameter(quantity) | Item::Input(quantity) => note(&quantity.name, quantity.dimension.dim()),
+                Item::Let(binding) => note(&binding.name, of_literal(&binding.value)),
+                Item::Function(function) => function.argument.iter().for_each(|argument| note(argument, None)),
+                Item::Component(component) => component.head.parameters.iter().for_each(|formal| note(&formal.name, None)),
+                Item::For(repeated) => note(&repeated.variable, None),
+                _ => {}
+            }
         }
         Angular(named)
     }
@@ -49,6 +56,7 @@ impl Angular {
         let is_speed = dim != Dim::ANGLE;
         let into = match pi {
             1 if is(1.0 / 180.0) || is_speed && (is(2.0) || is(1.0 / 30.0)) => "",
+            -1 if kept.len() > 1 => return None,
             -1 if is(180.0) && !is_speed => " / 1deg",
             -1 if is(180.0) => " / 1deg_s",
             -1 if is(30.0) && is_speed => " / 1rpm",
@@ -75,7 +83,7 @@ impl Angular {
                 let dim = self.dim(value);
                 product.is_plain &= !is_below && (dim.is_none() || product.angular.is_none());
                 product.angular = product.angular.or(dim);
-                product.kept.push(value.to_string());
+                product.kept.push(as_factor(value));
             }
         }
     }
@@ -97,11 +105,13 @@ fn is_angular(dim: Dim) -> bool {
     [Dim::ANGLE, Dim::ANGLE.per(Dim::TIME)].contains(&dim)
 }
 
-/// The dimension of `20deg` and `600rpm`.
+/// The dimension of `20deg` and `600rpm`; a number in radians may have been converted to them: `2 * pi * 1rad_s`.
 fn of_literal(value: &Expression) -> Option<Dim> {
     match &value.kind {
         ExpressionKind::Negative(inner) => of_literal(inner),
-        ExpressionKind::Number { unit, .. } => quantity::unit(unit).map(|(_, dim)| dim).filter(|dim| is_angular(*dim)),
+        ExpressionKind::Number { unit, .. } if !["rad", "mrad", "rad_s"].contains(&unit.as_str()) => {
+            quantity::unit(unit).map(|(_, dim)| dim).filter(|dim| is_angular(*dim))
+        }
         _ => None,
     }
 }

@@ -234,7 +234,7 @@ fn is_angle(value: &Expression) -> bool {
 
 /// Doubts free fall that is written out and that is much slower or faster than on earth.
 fn unusual_gravity(value: &Expression) -> Option<Warning> {
-    let ExpressionKind::Tuple(parts) = &value.kind else { return None };
+    let ExpressionKind::Tuple(written) = &value.kind else { return None };
     let part = |part: &Expression| {
         let part = if let ExpressionKind::Negative(inner) = &part.kind { inner } else { part };
         match &part.kind {
@@ -243,12 +243,13 @@ fn unusual_gravity(value: &Expression) -> Option<Warning> {
             _ => None,
         }
     };
-    let parts: Vec<f64> = parts.iter().map(part).collect::<Option<_>>()?;
+    let parts: Vec<f64> = written.iter().map(part).collect::<Option<_>>()?;
+    let greatest = parts.iter().copied().fold(0.0, f64::max);
     let size = parts.iter().map(|part| part * part).sum::<f64>().sqrt();
     let found = in_words(size, Dim::ACCELERATION);
     let is_unusual = size > 0.0 && !(USUAL[0]..=USUAL[1]).contains(&size);
-    let is_downward = value.to_string().contains('-');
-    let instead = if is_downward { "-9.81m_s2" } else { "9.81m_s2" };
+    let is_negative = |(part, number): (&Expression, &f64)| *number == greatest && matches!(part.kind, ExpressionKind::Negative(_));
+    let instead = if written.iter().zip(&parts).any(is_negative) { "-9.81m_s2" } else { "9.81m_s2" };
     is_unusual.then_some(Warning { doubt: Doubt::UnusualGravity { found, instead }, range: value.range })
 }
 

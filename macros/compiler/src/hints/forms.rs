@@ -114,7 +114,7 @@ fn in_degrees(value: &Expression) -> Option<String> {
 }
 
 /// A value on the left of a product or a quotient.
-fn as_factor(value: &Expression) -> String {
+pub(super) fn as_factor(value: &Expression) -> String {
     match value.kind {
         ExpressionKind::Binary(Operator::Add | Operator::Sub, ..) | ExpressionKind::If { .. } => format!("({value})"),
         _ => value.to_string(),

@@ -142,7 +142,7 @@ impl Notes {
         if let Relationship::Perpendicular(one, two) = relation
             && let (Some(one), Some(two)) = (self.latest.get(&one), self.latest.get(&two))
         {
-            self.geometry.arms.insert(joint, [*one, *two]);
+            self.geometry.arms.insert((joint, first), [*one, *two]);
         }
     }
 }

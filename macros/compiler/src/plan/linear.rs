@@ -8,15 +8,21 @@
 
 use super::stage::Iteration;
 use crate::expr::{Arena, Expr, Leaf, Substitution};
+use crate::system::deciding;
 
 /// Largest number of unknowns: an inverse is dense, and beyond this its products cost more than a factorisation.
 const LARGEST: usize = 8;
 
 /// Unknowns of a block in terms of upstream unknowns; `None` if its Jacobian is singular, too large or not constant.
 pub(super) fn solution(arena: &mut Arena, system: &Iteration) -> Option<Vec<Expr>> {
-    let k = system.unknowns.len();
+    let (k, unknowns) = (system.unknowns.len(), system.unknowns.iter().copied().collect());
     let is_constant = system.jacobian.iter().flatten().all(|entry| arena.as_constant(*entry).is_some());
     if k > LARGEST || !is_constant || !system.quaternions.is_empty() {
+        return None;
+    }
+    // Where a choice depends on unknowns, a constant Jacobian is that of one side.
+    let is_chosen = |residual: &Expr| !deciding(arena, *residual).is_disjoint(&unknowns);
+    if system.residuals.iter().any(is_chosen) {
         return None;
     }
     let inverse = inverse(arena, system.jacobian.clone())?;

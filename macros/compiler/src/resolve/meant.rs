@@ -178,8 +178,9 @@ impl Elaborator<'_> {
         if offers.is_empty() {
             offers = self.names.coordinates_across(&joint, &arguments);
         }
-        let clauses = [(" from ", &freedom.from), (" at ", &freedom.at)];
-        let start = clauses.into_iter().filter_map(|(word, value)| Some(format!("{word}{}", value.as_ref()?))).collect();
+        // The start of one of several quantities is none of the others.
+        let clauses = [(" from ", &freedom.from), (" at ", &freedom.at)].into_iter().filter(|_| offers.len() == 1);
+        let start = clauses.filter_map(|(word, value)| Some(format!("{word}{}", value.as_ref()?))).collect();
         self.refuse(written.range, MotionFact::FreedomOfJoint { name: name.to_string(), joint, offers, start })
     }
 

@@ -176,14 +176,16 @@ fn every_unknown_is_found_once_and_after_what_it_needs() {
             assert_eq!(block.iterated.len(), block.residuals.len());
             known.extend(block.iterated.iter().copied());
             for explicit in &block.explicit {
-                let others = pattern.rows[explicit.equation].iter().filter(|entry| entry.unknown != explicit.unknown);
-                assert!(others.clone().all(|entry| known.contains(&entry.unknown)));
+                let is_read = pattern.read[explicit.equation].contains(&explicit.unknown);
+                assert!(!is_read || known.contains(&explicit.unknown));
+                let mut others = pattern.needed(explicit.equation).filter(|entry| entry.unknown != explicit.unknown);
+                assert!(others.all(|entry| known.contains(&entry.unknown)));
                 assert!(pattern.rows[explicit.equation].iter().any(|entry| entry.unknown == explicit.unknown && entry.is_pivot));
                 assert!(known.insert(explicit.unknown));
                 assert!(equations.insert(explicit.equation));
             }
             for equation in &block.residuals {
-                assert!(pattern.rows[*equation].iter().all(|entry| known.contains(&entry.unknown)));
+                assert!(pattern.needed(*equation).all(|entry| known.contains(&entry.unknown)));
                 assert!(equations.insert(*equation));
             }
         }
@@ -221,5 +223,8 @@ fn random_pattern(random: &mut Random, n: usize) -> Pattern {
         let unknowns: BTreeSet<usize> = (0..1 + random.below(3)).map(|_| random.below(n as u64) as usize).collect();
         unknowns.into_iter().map(|unknown| Entry { unknown, is_pivot: random.below(2) == 0 }).collect()
     });
-    Pattern { unknowns: n, rows: rows.collect(), ..Pattern::default() }
+    let rows = rows.collect();
+    // Some equations read an unknown in a condition.
+    let read = (0..n).map(|_| if random.below(4) == 0 { vec![random.below(n as u64) as usize] } else { Vec::new() }).collect();
+    Pattern { unknowns: n, rows, read }
 }

@@ -12,8 +12,8 @@
 
 use super::ast::{Expression, ExpressionKind, Operator, Path, Relation};
 use super::slip::{
-    each_index_by_itself, no_brackets, no_choice_behind, no_closure, no_common_unit, no_constant, no_index_in_parentheses, no_parentheses,
-    no_percentage, no_quotation, no_reference, no_self, no_truth, no_unit_apart, no_unit_raised, without_module,
+    each_index_by_itself, goes_on, no_brackets, no_choice_behind, no_closure, no_common_unit, no_constant, no_index_in_parentheses,
+    no_parentheses, no_percentage, no_quotation, no_reference, no_self, no_truth, no_unit_apart, no_unit_raised, without_module,
 };
 use super::tokens::{
     Parsed, braces, brackets, equals, expected, is_path, keyword, literal, name, next, parentheses, path, semicolon, wrong,
@@ -273,8 +273,7 @@ fn atom(input: ParseStream, room: u16) -> Parsed<Expression> {
 fn no_bare_argument(input: ParseStream, path: &Path, room: u16) -> Parsed<()> {
     const FUNCTIONS: [&str; 10] = ["sin", "cos", "tan", "asin", "acos", "atan", "sqrt", "exp", "ln", "rate"];
     let is_function = path.name.as_ref().is_some_and(|name| FUNCTIONS.iter().any(|function| name == function));
-    let is_behind = input.peek(Lit)
-        || keyword(input).is_some_and(|word| !["at", "from", "along", "with", "if", "else"].iter().any(|known| word == known));
+    let is_behind = input.peek(Lit) || keyword(input).is_some_and(|word| !goes_on(&word));
     if !is_function || !is_behind {
         return Ok(());
     }
@@ -370,7 +369,8 @@ fn call(input: ParseStream, path: Path, room: u16) -> Parsed<Expression> {
     let (content, range) = parentheses(input)?;
     let arguments = list(&content, room)?;
     let range = path.range.to(range);
-    if path.name.is_none() && path.last == "new" && matches!(arguments.len(), 2 | 3) {
+    let is_vector = || ["Vec", "Vector", "Point"].iter().any(|kind| path.tokens.to_string().contains(kind));
+    if path.name.is_none() && path.last == "new" && matches!(arguments.len(), 2 | 3) && is_vector() {
         let parts: Vec<String> = arguments.iter().map(ToString::to_string).collect();
         let instead = format!("({})", parts.join(", "));
         return wrong(range, GrammarFact::Misspelt { flaw: "a vector is written by its components", instead });

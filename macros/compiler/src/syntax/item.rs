@@ -220,7 +220,7 @@ fn unknown_item<T>(input: ParseStream, keyword: &Ident, ItemContext { is_top, va
     if let (true, Some(name)) = (["point", "axis"].contains(&word.as_str()), &name) {
         return wrong(keyword, GrammarFact::FeatureOutside { word, name: name.clone(), in_component: !is_top && variable.is_none() });
     }
-    if let Some((flaw, instead)) = of_other_kind(&word, &rest.fork())?.filter(|_| name.is_none() || word == "if") {
+    if let Some((flaw, instead)) = of_other_kind(&word, &rest.fork(), variable.is_some())?.filter(|_| name.is_none() || word == "if") {
         return wrong(keyword, GrammarFact::Misspelt { flaw, instead });
     }
     let sets_solver = rest.peek(Token![=]) && ["solver", "integrator", "method", "tolerance", "simulation"].contains(&word.as_str());
@@ -274,21 +274,21 @@ fn is_of_body(word: &str) -> bool {
     word.starts_with(char::is_uppercase) && is_synonym("body", &word.trim_end_matches("2D").trim_end_matches("3D").to_lowercase())
 }
 
-/// A choice of items, a field of a struct, and an element of an array without its kind: what is wrong, and the line to type.
-fn of_other_kind(word: &str, rest: ParseStream) -> Parsed<Option<(&'static str, String)>> {
-    if word == "if" {
-        return Ok(Some(("items are not chosen: let a loop begin where they do, or choose a value", "for i in 1..n { … }".to_owned())));
+/// A choice of items in a loop, a field of a struct, and an element of an array without its kind: what is wrong, and the line to type.
+fn of_other_kind(word: &str, rest: ParseStream, is_in_loop: bool) -> Parsed<Option<(&'static str, String)>> {
+    if word == "if" && is_in_loop {
+        return Ok(Some(("items are not chosen: let a loop begin where they do", "for i in 1..n { … }".to_owned())));
     }
     if rest.peek(Token![:]) && !rest.peek(Token![::]) {
-        let text = statement_text(rest)?;
-        let dimension = text.split('=').next().unwrap_or_default().trim_start_matches(':');
-        return Ok(Some(("an item begins with its kind", format!("param {word}: {dimension} = …;"))));
+        rest.parse::<Token![:]>()?;
+        let dimension = rest.parse::<Ident>().ok().filter(|dimension| Dim::named(&dimension.to_string()).is_some());
+        return Ok(dimension.map(|dimension| ("an item begins with its kind", format!("param {word}: {dimension} = …;"))));
     }
     if !rest.peek(token::Bracket) {
         return Ok(None);
     }
     let place: String = indices(rest)?.iter().map(|index| format!("[{index}]")).collect();
-    if !rest.peek(Token![=]) {
+    if !rest.peek(Token![=]) || rest.peek(Token![==]) {
         return Ok(None);
     }
     let text = statement_text(rest)?;

@@ -18,7 +18,7 @@ pub(super) fn no_index_in_parentheses(input: ParseStream, owner: &Expression, na
     let Ok(index) = sum(&content, room) else { return Ok(()) };
     let is_index = |part: &Expression| match &part.kind {
         ExpressionKind::Number { digits, unit } => unit.is_empty() && digits.bytes().all(|digit| digit.is_ascii_digit()),
-        ExpressionKind::Path(path) => path.last != "t",
+        ExpressionKind::Path(path) => ["i", "j", "k", "m", "n"].iter().any(|variable| path.last == variable),
         _ => false,
     };
     let is_mark = matches!(owner.kind, ExpressionKind::Path(_)) && foreign(&name.to_string()).is_none();
@@ -45,49 +45,68 @@ pub(super) fn no_unit_raised(input: ParseStream, base: &Expression) -> Parsed<()
 
 /// Refuses `600 RPM`, `0.03 kg m^2` and `5 N*s/m`: a unit behind a space, in words or in parts.
 pub(super) fn no_unit_apart(input: ParseStream, number: Range, digits: &str) -> Parsed<()> {
-    let is_word =
-        |input: ParseStream| keyword(input).is_some_and(|word| !["at", "from", "in", "as", "if", "else"].iter().any(|known| word == known));
+    let is_word = |input: ParseStream| keyword(input).is_some_and(|word| !goes_on(&word));
     if !is_word(input) {
         return Ok(());
     }
     let ahead = input.fork();
+    // The longest unit, whether it is as it was written, and whether it may be a factor of what follows.
     let (mut unit, mut best) = (String::new(), None);
     loop {
         let word: Ident = Ident::parse_any(&ahead)?;
         unit.push_str(&unit_of_word(&word.to_string()));
+        let mut range = number.to(&word);
         if ahead.peek(Token![^]) {
             ahead.parse::<Token![^]>()?;
-            let Ok(exponent) = ahead.parse::<LitInt>() else { break };
+            let Ok(exponent) = ahead.parse::<LitInt>() else { return Ok(()) };
             unit.push_str(exponent.base10_digits());
+            range = number.to(exponent.span());
         }
-        if quantity::unit(&unit).is_some() {
-            best = Some((unit.clone(), number.to(&word), unit == word.to_string()));
+        let is_unit = quantity::unit(&unit).is_some();
+        if is_unit {
+            best = Some((unit.clone(), range, unit == word.to_string(), ahead.peek(Token![*])));
         }
-        let is_over = ahead.peek(Token![/]) && unit.contains('_');
-        if ahead.peek(Token![/]) && !is_over {
+        let is_quotient = ahead.peek(Token![/]);
+        if !is_unit && is_quotient && unit.contains('_') {
+            break;
+        }
+        if is_quotient {
             ahead.parse::<Token![/]>()?;
             unit.push('_');
         } else if ahead.peek(Token![*]) {
             ahead.parse::<Token![*]>()?;
+        } else if !is_word(&ahead) {
+            best = best.filter(|best: &(_, _, _, bool)| is_unit || best.3);
+            break;
         }
-        if is_over || !is_word(&ahead) {
+        if !is_word(&ahead) {
             break;
         }
     }
     match best {
-        Some((unit, range, false)) => {
+        Some((unit, range, false, is_factor)) if is_factor || is_end(&ahead) || ahead.peek(Token![-]) || ahead.peek(token::Brace) => {
             wrong(range, GrammarFact::Misspelt { flaw: "a unit is one word right behind its number", instead: format!("{digits}{unit}") })
         }
         _ => Ok(()),
     }
 }
 
-/// A unit as it is written here: `rpm` for `RPM`, `kg` for `kilograms`.
+/// True for a word that goes on with an item behind a value.
+pub(super) fn goes_on(word: &Ident) -> bool {
+    ["at", "from", "along", "with", "in", "as", "if", "else"].iter().any(|known| word == known)
+}
+
+/// A unit as it is written here: `rpm` for `RPM`, `kg` for `kilograms`; not `mJ` for `MJ` or `Nm` for `nm`.
 fn unit_of_word(word: &str) -> String {
     if quantity::unit(word).is_some() {
         return word.to_owned();
     }
-    let is_meant = |unit: &&str| unit.eq_ignore_ascii_case(word) || is_synonym(unit, &word.to_lowercase());
+    let is_alike = |unit: &str| {
+        let [one, other] = [unit, word].map(|text| text.chars().next().unwrap_or_default());
+        let is_prefix = ['m', 'n', 'g'].contains(&one.to_ascii_lowercase());
+        word.len() > 1 && unit.eq_ignore_ascii_case(word) && (one == other || !is_prefix || word == "MM")
+    };
+    let is_meant = |unit: &&str| is_alike(unit) || is_synonym(unit, &word.to_lowercase());
     quantity::units().find(is_meant).unwrap_or(word).to_owned()
 }
 

@@ -40,6 +40,7 @@ pub use declared::DeclaredEquations;
 pub use in_space::{FurtherAngle, InSpace};
 pub use loads::{LoadEquations, LoadRow};
 pub(crate) use magnitude::magnitude;
+pub(crate) use pattern::{deciding, has_choices};
 pub(crate) use rows::coordinates_in;
 use rows::{Differentiation, Row};
 pub use spins::EquationsBySpins;

@@ -1,6 +1,7 @@
 //! Sparsity pattern of Φ_q, with its pivots: the entries that are never zero.
 
 use super::Equation;
+use super::rows::coordinates_in;
 use crate::expr::{Arena, Binary, Expr, Leaf, Node, Unary};
 use crate::model::Model;
 use crate::structure::{Entry, Pattern};
@@ -10,10 +11,39 @@ use std::collections::BTreeSet;
 /// Sparsity pattern of these equations. Pivots are nonzero constants, and products of parameters that `validate` keeps nonzero.
 pub(super) fn pattern(model: &Model, arena: &Arena, unknowns: usize, equations: &[Equation]) -> Pattern {
     let nonzero = nonzero_parameters(model, arena);
-    let entry = |(unknown, value): &(usize, Expr)| Entry { unknown: *unknown, is_pivot: is_pivot(arena, *value, &nonzero) };
-    let row = |equation: &Equation| steady(equation.jacobian.iter().map(entry).collect(), &equation.jacobian, arena);
+    let has_choices = has_choices(arena);
+    let row = |equation: &Equation| {
+        let decides = if has_choices { equation.phi().map(|phi| deciding(arena, phi)).unwrap_or_default() } else { BTreeSet::new() };
+        let entry = |(unknown, value): &(usize, Expr)| Entry {
+            unknown: *unknown,
+            is_pivot: !decides.contains(unknown) && is_pivot(arena, *value, &nonzero),
+        };
+        steady(equation.jacobian.iter().map(entry).collect(), &equation.jacobian, arena)
+    };
     let read = equations.iter().map(|equation| equation.read.clone()).collect();
     Pattern { unknowns, rows: equations.iter().map(row).collect(), read }
+}
+
+/// True if a node chooses between values.
+pub(crate) fn has_choices(arena: &Arena) -> bool {
+    arena.all().any(|expr| is_choice(arena.node(expr)))
+}
+
+fn is_choice(node: &Node) -> bool {
+    matches!(node, Node::Select { .. } | Node::Unary(Unary::Sign, _))
+}
+
+/// The coordinates on which choices in an expression depend: it is not linear in them, even if its derivatives are constant.
+pub(crate) fn deciding(arena: &Arena, expr: Expr) -> BTreeSet<usize> {
+    let mut operands = Vec::new();
+    for expr in arena.reachable(&[expr]) {
+        match *arena.node(expr) {
+            Node::Select { lhs, rhs, .. } => operands.extend([lhs, rhs]),
+            Node::Unary(Unary::Sign, one) => operands.push(one),
+            _ => {}
+        }
+    }
+    operands.into_iter().flat_map(|operand| coordinates_in(arena, operand)).collect()
 }
 
 /// A constant below this fraction of the largest one in its row is no pivot: dividing by it would amplify rounding errors.

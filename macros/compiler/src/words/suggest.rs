@@ -20,7 +20,7 @@ const SYNONYMS: [(&str, &[&str]); 114] = [
     ("AngularVelocity", &["rad_s", "rpm", "omega", "angular_speed", "angular_rate", "rotationspeed", "angularspeed"]),
     ("Force", &["n", "newton", "newtons", "load"]),
     ("Stiffness", &["springrate", "spring_rate", "springconstant", "spring_constant", "springstiffness", "rate_of_spring"]),
-    ("Damping", &["dampingcoefficient", "damping_coefficient", "damper_rate", "viscosity"]),
+    ("Damping", &["dampingcoefficient", "damping_coefficient", "damper_rate", "viscous_damping"]),
     ("Torque", &["nm", "moment", "energy", "work"]),
     ("Inertia", &["kgm2", "momentofinertia", "moment_of_inertia"]),
     ("body", &["rigidbody", "solid", "link", "bar", "rigid", "member", "bodie"]),

@@ -260,11 +260,13 @@ fn expressions_that_are_often_meant_otherwise_are_doubted() {
     let damping = format!("`-3Ns_m` drives the motion instead of damping it\n{meant}");
     assert_eq!(spring("damper((5m, 0m), c.P, -3Ns_m)"), [damping.as_str()]);
     assert_eq!(spring("torsion_damper(ground, c, -3Nms_rad)"), [damping.replace("3Ns_m", "3Nms_rad")]);
-    let rest = format!("`-1m` is a length that no spring has\n{meant}");
-    let distance = format!("`-1m` is a length that no distance has\n{meant}");
+    let rest = format!("`-1m` is negative, and no rest length is\n{meant}");
+    let distance = format!("`-1m` is negative, and no distance is\n{meant}");
     let rod = |law: &str| plane(&format!("body c {{ point P = (1m, 0m); }} drive e = drive_distance((5m, 0m), c.P, {law});"));
     assert_eq!(rod("-1m - 2mm_s * t"), [distance.as_str()]);
-    assert_eq!(rod("1m - 2mm_s * t"), Vec::<String>::new());
+    for sure in ["1m - 2mm_s * t", "-1m + 3m", "-1m + 2mm_s * t + 3m"] {
+        assert_eq!(rod(sure), Vec::<String>::new(), "{sure}");
+    }
     assert_eq!(spring("spring((5m, 0m), c.P, 200N_m, rest: -1m)"), [rest.as_str()]);
     for sure in ["spring((5m, 0m), c.P, 200N_m, rest: 1m)", "actuator((5m, 0m), c.P, -200N)", "torsion_spring(ground, c, 5Nm_rad, -3deg)"] {
         assert_eq!(spring(sure), Vec::<String>::new(), "{sure}");
@@ -445,7 +447,14 @@ fn conversions_of_quantities_with_units_are_doubted() {
     for sure in ["2 * pi * b.angle / 30deg", "b.angle / (2 * pi)", "speed / (2 * pi)", "pi * b.angle", "b.angle / 1deg", "2 * pi * 3"] {
         assert_eq!(output(sure), Vec::<String>::new(), "{sure}");
     }
-    assert_eq!(law("speed * t + 30deg"), Vec::<String>::new());
+    // A number that is converted to radians.
+    for sure in ["speed * t + 30deg", "2 * pi * 1rad_s * t", "600 * pi / 30 * 1rad_s * t", "30 * pi / 180 * 1rad + speed * t"] {
+        assert_eq!(law(sure), Vec::<String>::new(), "{sure}");
+    }
+    assert_eq!(law("2 * pi * speed * (t - 1s)"), said("2 * pi * speed * (t - 1s)", "speed * (t - 1s)"));
+    let other = "param speed: AngularVelocity = 600rpm; component Motor(speed: Number) { body b { } joint o = revolute(ground.position, b.position);
+        drive d = drive_angle(b, 2 * pi * speed * 1rad_s * t); } part one = Motor(3); output w = speed;";
+    assert_eq!(doubts_of(other), Vec::<String>::new());
 }
 
 #[test]

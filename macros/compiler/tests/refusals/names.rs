@@ -1,7 +1,7 @@
 //! Undeclared names.
 
 crate::refusals! {
-    item a_point_that_ground_lacks: "joint a = revolute(ground.«Foot», crank.A);" => "`ground` has no `Foot`\nnote: it has `O`, `C`, `u`, `position`, `angle`, `x`, `y` and `angular_velocity`\nhelp: declare it, such as `ground { point Foot = (…); }`";
+    item a_point_that_ground_lacks: "joint a = revolute(ground.«Foot», crank.A);" => "`ground` has no `Foot`\nnote: it has `O`, `C`, `u`, `position`, `angle`, `x`, `y` and `angular_velocity`\nhelp: declare it in ground, as in `ground { point Foot = (…); }`";
     item an_axis_called_y: "body b { axis «y» = (0, 1); }" => "`y` has a meaning of its own in expressions\nhelp: choose another name, such as `v`";
     item a_damping_per_second: "let c = «5N_s»;" => "no unit is called `N_s`\nhelp: did you mean `5Ns_m`?";
     item a_dimension_of_a_spring: "param k: «SpringRate» = 5N_m;" => "no dimension is called `SpringRate`\nhelp: did you mean `Stiffness`?";

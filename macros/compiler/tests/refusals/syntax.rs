@@ -1,6 +1,10 @@
 //! Mistakes of grammar.
 
 crate::refusals! {
+    item a_unit_that_is_another_in_capitals: "let e = «5 MJ»;" => "an operator is missing between `5` and `MJ`\nhelp: write `5 * MJ`";
+    item a_unit_of_energy_apart: "let e = 5 «kg» m^2/s^2;" => "expected `;`, found `kg`\nhelp: end what stands before it with `;`";
+    item a_method_of_a_vector: "output a = crank.«dot»(ram);" => "there are no methods here\nhelp: write `dot(value)` for `value.dot()`";
+    item a_joint_as_a_field: "«pin»: revolute(crank.A, ram.B);" => "`pin` is no item of a mechanism\nhelp: write `joint name = revolute(P, Q);`";
     item a_vector_of_nalgebra: "let p = «Vec2::new(250mm, 0mm)»;" => "a vector is written by its components\nhelp: write `(250mm, 0mm)`";
     item a_let_with_a_type: "let n: «usize» = 4;" => "a `let` takes its dimension from its value, and no type\nhelp: write `let n = 4;`";
     item a_function_of_a_bare_argument: "function g(«psi») -> Length = 1mm;" => "the argument of a function has a dimension\nhelp: write `function g(psi: Angle)`";
@@ -11,7 +15,7 @@ crate::refusals! {
     item a_geom_of_mujoco: "«geom» g { }" => "`geom` is no item of a mechanism\nhelp: a body has `mass`, `center` and `inertia`, as in `inertia = block(2cm, 3cm, 4cm);`";
     item a_field_of_a_struct: "«width»: Length = 60mm;" => "an item begins with its kind\nhelp: write `param width: Length = …;`";
     item an_element_without_its_kind: "for i in 0..2 { «leg»[i] = Leg(crank.A); }" => "an item begins with its kind\nhelp: write `part leg[i] = Leg(crank.A);`";
-    item an_item_by_choice: "for i in 0..2 { «if» i > 0 { body b[i] { } } }" => "items are not chosen: let a loop begin where they do, or choose a value\nhelp: write `for i in 1..n { … }`";
+    item an_item_by_choice: "for i in 0..2 { «if» i > 0 { body b[i] { } } }" => "items are not chosen: let a loop begin where they do\nhelp: write `for i in 1..n { … }`";
     item a_spring_with_a_damper: "force s = spring(ground.O, crank.A, 5N_m, 1m, «2Ns_m»);" => "`spring` takes 3 or 4 arguments, found 5\nhelp: a spring with a damper is `spring_damper(P, Q, stiffness, rest, damping)`\nnote: `spring(P: Point, Q: Point, stiffness: Stiffness, rest: Length = …)`";
     item a_unit_in_capitals: "let w = «600 RPM»;" => "a unit is one word right behind its number\nhelp: write `600rpm`";
     item a_unit_in_words: "let l = «400 millimeter»;" => "a unit is one word right behind its number\nhelp: write `400mm`";
@@ -19,7 +23,7 @@ crate::refusals! {
     item a_unit_of_a_rate_apart: "let w = «600 rad/s» * t;" => "a unit is one word right behind its number\nhelp: write `600rad_s`";
     item a_unit_of_a_stiffness_apart: "let k = «200 N/m»;" => "a unit is one word right behind its number\nhelp: write `200N_m`";
     item a_unit_of_a_damping_apart: "let k = «5 N*s/m»;" => "a unit is one word right behind its number\nhelp: write `5Ns_m`";
-    item a_unit_of_inertia_apart: "let i = «0.03 kg m»^2;" => "a unit is one word right behind its number\nhelp: write `0.03kgm2`";
+    item a_unit_of_inertia_apart: "let i = «0.03 kg m^2»;" => "a unit is one word right behind its number\nhelp: write `0.03kgm2`";
     item a_unit_of_torque_apart: "let m = «20 N m»;" => "a unit is one word right behind its number\nhelp: write `20Nm`";
     item a_decimal_comma_with_zeros: "let p = «(12,05mm, 0mm)»;" => "a vector in the plane has 2 components, found 3\nhelp: write a decimal point, `12.05mm`";
     item a_decimal_comma_after_zero: "let p = «(0,050m, 0mm)»;" => "a vector in the plane has 2 components, found 3\nhelp: write a decimal point, `0.050m`";

@@ -9,11 +9,12 @@ impl Display for ArityFact {
         match self {
             ArityFact::TooManyArguments { definition, signature, takes, found, decimals } => {
                 write!(f, "`{definition}` takes {}, found {found}", range_of(takes, "argument"))?;
-                if definition == "spring" && *found == 5 {
-                    write!(f, "\nhelp: a spring with a damper is `spring_damper(P, Q, stiffness, rest, damping)`")?;
-                }
-                if let Some(number) = decimals {
-                    write!(f, "\nhelp: write a decimal point, `{number}`")?;
+                match decimals {
+                    Some(number) => write!(f, "\nhelp: write a decimal point, `{number}`")?,
+                    None if definition == "spring" && *found == 5 => {
+                        write!(f, "\nhelp: a spring with a damper is `spring_damper(P, Q, stiffness, rest, damping)`")?;
+                    }
+                    None => {}
                 }
                 write!(f, "\nnote: `{signature}`")
             }

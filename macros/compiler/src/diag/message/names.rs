@@ -121,8 +121,8 @@ impl Display for NameFact {
                 if near.is_none() && known.count > 0 {
                     write!(f, "\nnote: it has {}", first_of(&known.first, known.count))?;
                 }
-                if near.is_none() && owner == "`ground`" {
-                    write!(f, "\nhelp: declare it, such as `ground {{ point {name} = (…); }}`")?;
+                if near.is_none() && owner == "`ground`" && name.starts_with(char::is_uppercase) {
+                    write!(f, "\nhelp: declare it in ground, as in `ground {{ point {name} = (…); }}`")?;
                 }
                 Ok(())
             }

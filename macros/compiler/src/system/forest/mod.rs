@@ -241,7 +241,7 @@ impl Forest<'_> {
                 self.reach_without_angle(joint, inner, outer);
             }
             Relationship::SameDirection(one, two) => self.reach_by_angle(joint, one, two),
-            Relationship::Perpendicular(one, two) => self.reach_by_two_angles(joint, one, two),
+            Relationship::Perpendicular(one, two) => self.reach_by_two_angles((joint, row), one, two),
             Relationship::Coincident(..) | Relationship::OnLine(..) => {}
         }
     }

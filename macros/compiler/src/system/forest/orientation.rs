@@ -73,12 +73,12 @@ impl Forest<'_> {
         found.map(|(joint, row, _)| (*joint, *row))
     }
 
-    pub(super) fn reach_by_two_angles(&mut self, joint: usize, one: Place, two: Place) {
+    pub(super) fn reach_by_two_angles(&mut self, (joint, row): (usize, usize), one: Place, two: Place) {
         let is_in_order = self.depth(one.body).is_some();
         let (inner, outer) = if is_in_order { (one, two) } else { (two, one) };
         let words = if is_in_order { ["angle_a", "angle_b"] } else { ["angle_b", "angle_a"] };
         let Some(body) = outer.body else { return };
-        let (inner, outer) = match self.model.space.arms.get(&joint).copied() {
+        let (inner, outer) = match self.model.space.arms.get(&(joint, row)).copied() {
             Some(arms) => {
                 // angle_a is zero where the second axis lies along x of the first, angle_b where x of the second lies along the first.
                 let [a, b] = if is_in_order { arms } else { [arms[1], arms[0]] };
