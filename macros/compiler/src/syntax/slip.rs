@@ -64,7 +64,7 @@ pub(super) fn no_unit_apart(input: ParseStream, number: Range, digits: &str) -> 
         }
         let is_unit = quantity::unit(&unit).is_some();
         if is_unit {
-            best = Some((unit.clone(), range, unit == word.to_string(), ahead.peek(Token![*])));
+            best = Some((unit.clone(), range, word == unit, ahead.peek(Token![*])));
         }
         let is_quotient = ahead.peek(Token![/]);
         if !is_unit && is_quotient && unit.contains('_') {
