@@ -1,6 +1,6 @@
 //! A long `if` inside of a block that is iterated, in one place and in shared code, with all its derivatives.
 
-use reuleaux::mechanism;
+use reuleaux::{Stages, mechanism};
 
 /// Where the law changes, in rad, and how the slide goes with the arm.
 fn law(angle: f64) -> f64 {
@@ -131,13 +131,14 @@ mechanism! {
     /// Two places by linear equations, one of which is chosen by one of them.
     #[closure(off)]
     mechanism OfBoth {
+        param most: Length = 1m;
         body a { }
         body b { }
         joint turned_a = absolute_angle(a, 0);
         joint turned_b = absolute_angle(b, 0);
         joint height_a = absolute_y(a.position, 0m);
         joint height_b = absolute_y(b.position, 0m);
-        joint sum = { a.x + b.x == 1m; }
+        joint sum = { a.x + b.x == most; }
         drive difference = { a.x - b.x == if a.x > 0.4m { 0.5m + 0.01m_s * t } else { 0.1m + 0.01m_s * t }; }
     }
 }
@@ -162,8 +163,12 @@ fn choices_by_unknowns_of_their_own_block_are_solved() {
         let state = OfItself::default().solve(t).expect("a state");
         assert!((state.b().angle - wanted[0]).abs() < 1e-15 && (state.b().angular_velocity - wanted[1]).abs() < 1e-15, "t = {t}");
     }
-    let state = OfBoth::default().solve(0.0).expect("a state");
-    assert!((state.a().position.x - 0.75).abs() < 1e-15 && (state.b().position.x - 0.25).abs() < 1e-15);
+    assert!(<OfBoth as Stages<f64, 6>>::UNIQUE.is_empty(), "a choice may have several solutions");
+    for most in [1.0_f64, 1.5] {
+        let state = OfBoth { most }.solve(0.0).expect("a state");
+        let wanted = [most + 0.5, most - 0.5].map(|twice| 0.5 * twice);
+        assert!((state.a().position.x - wanted[0]).abs() < 1e-15 && (state.b().position.x - wanted[1]).abs() < 1e-15);
+    }
     let state = OfEachOther::default().solve(0.1).expect("a state");
     assert!((state.a().angle - 0.3).abs() < 1e-15 && (state.b().angle - 1.1).abs() < 1e-15);
 }

@@ -40,12 +40,19 @@ struct Affine {
 
 impl Embedding<'_> {
     pub(super) fn new(arena: &mut Arena, coordinates: Vec<usize>) -> Embedding<'_> {
-        let has_choices = has_choices(arena);
-        Embedding { arena, explicit: BTreeMap::new(), coordinates, solved: Vec::new(), substitution: Substitution::new(), has_choices }
+        Embedding {
+            arena,
+            explicit: BTreeMap::new(),
+            coordinates,
+            solved: Vec::new(),
+            substitution: Substitution::new(),
+            has_choices: false,
+        }
     }
 
     /// Solves the same rows for the same coordinates as another one.
     pub(super) fn follow(&mut self, solved: &[(usize, usize)], rows: &[Equation]) {
+        self.has_choices = has_choices(self.arena, rows);
         solved.iter().for_each(|(row, pivot)| self.solve(&rows[*row], *pivot));
     }
 
@@ -59,6 +66,7 @@ impl Embedding<'_> {
     ///
     /// * `pivots`: given, for each row the coordinates with a factor that is never zero.
     pub(super) fn eliminate(&mut self, rows: &[Equation], pivots: &[Vec<usize>]) -> Vec<usize> {
+        self.has_choices = has_choices(self.arena, rows);
         let mut left: Vec<usize> = (0..rows.len()).collect();
         loop {
             let offers = |row: &usize| {

@@ -111,7 +111,9 @@ impl Emitter<'_> {
             match entry < outputs.len() {
                 true if is_of_velocities => quote!(::reuleaux::Coordinate::velocity(#whole, #part)),
                 // Entries of a rotation matrix.
-                true if part.len() == 3 && part.starts_with('a') => quote!(::reuleaux::Coordinate::number(#whole, #part)),
+                true if part.len() == 3 && part.starts_with('a') && part.ends_with(['1', '2', '3']) => {
+                    quote!(::reuleaux::Coordinate::number(#whole, #part))
+                }
                 true => quote!(::reuleaux::Coordinate::length(#whole, #part)),
                 false => quote!(::reuleaux::Coordinate::jerk(#whole, #part)),
             }

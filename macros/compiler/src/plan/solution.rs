@@ -8,6 +8,7 @@ use super::routine::Cost;
 use super::runs::Runs;
 use super::stage::{Elimination, Iteration, Stage};
 use crate::expr::{Arena, Expr, Leaf};
+use crate::system::deciding;
 use std::collections::BTreeSet;
 
 /// Solution for q, q̇ and q̈.
@@ -100,11 +101,13 @@ fn summary(arena: &Arena, stage: &Stage, blocks: &mut impl Iterator<Item = (usiz
         Stage::Explicit { unknown, motion, .. } => {
             Summary::Explicit { unknown: *unknown, moves: motion.iter().any(|expr| arena.as_constant(*expr).is_none()) }
         }
-        Stage::Block(Iteration { unknowns, equations, elimination, jacobian, quaternions, .. }) => {
+        Stage::Block(Iteration { unknowns, equations, elimination, jacobian, residuals, quaternions, .. }) => {
             let (shape, cost) = blocks.next().unwrap_or_default();
             let is_solved_for = |leaf: Leaf| matches!(leaf, Leaf::Coordinate(unknown) if unknowns.contains(&(unknown as usize)));
-            let is_linear =
+            let is_steady =
                 quaternions.is_empty() && jacobian.iter().flatten().all(|entry| !arena.leaves(*entry).into_iter().any(is_solved_for));
+            let is_chosen = |residual: &Expr| deciding(arena, *residual).iter().any(|unknown| unknowns.contains(unknown));
+            let is_linear = is_steady && !residuals.iter().any(is_chosen);
             let (unknowns, equations, elimination) = (unknowns.clone(), equations.clone(), elimination.clone());
             Summary::Block { unknowns, equations, cost, elimination, shape, is_linear }
         }

@@ -22,7 +22,7 @@ const MOST_TRIES: usize = 12;
 /// A gap is open if it exceeds this, in rad or characteristic lengths.
 const OPEN: f64 = 1e-9;
 
-/// Derivatives lead nowhere if the way by them is this many times as long as the residual and the mechanism.
+/// Derivatives lead nowhere if the way by them is this many times as long as the residual, or as the mechanism if that is larger.
 const LEAP: f64 = 1e3;
 
 /// Newton steps along the gradient of an equation.
@@ -231,18 +231,19 @@ impl Numeric<'_> {
         (length.filter(is_open(self.size)), angle.filter(is_open(1.0)))
     }
 
-    /// Distance by which one body must move until an equation holds, in m, or in rad for an equation of angles; of a length its residual where
-    /// derivatives lead nowhere, as between points that coincide.
+    /// Distance by which one body must move until an equation holds, in m, or in rad for an equation of angles; of a length or an angle the residual
+    /// where derivatives lead nowhere, as between points that coincide.
     fn way(&self, equation: &Equation, known: Values, q: Vec<f64>) -> Option<f64> {
         let way = self.way_along(equation, known, q.clone());
         let is_square = equation.dim == Dim::LENGTH.times(Dim::LENGTH);
-        if !is_square && equation.dim != Dim::LENGTH {
+        if !is_square && ![Dim::LENGTH, Dim::ANGLE].contains(&equation.dim) {
             return way;
         }
+        let size = if equation.dim == Dim::ANGLE { 1.0 } else { self.size };
         let phi: Vec<Expr> = equation.phi().into_iter().collect();
         let values = evaluate(&self.system.arena, &phi, &Values { coordinates: &q, ..known });
         let off = values.first().map(|off| if is_square { off.abs().sqrt() } else { off.abs() }).filter(|off| off.is_finite());
-        let is_sure = |way: &f64| off.is_none_or(|off| *way <= LEAP * off.max(self.size));
+        let is_sure = |way: &f64| off.is_none_or(|off| *way <= LEAP * off.max(size));
         way.filter(is_sure).or(off)
     }
 

@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 /// Sparsity pattern of these equations. Pivots are nonzero constants, and products of parameters that `validate` keeps nonzero.
 pub(super) fn pattern(model: &Model, arena: &Arena, unknowns: usize, equations: &[Equation]) -> Pattern {
     let nonzero = nonzero_parameters(model, arena);
-    let has_choices = has_choices(arena);
+    let has_choices = has_choices(arena, equations);
     let row = |equation: &Equation| {
         let decides = if has_choices { equation.phi().map(|phi| deciding(arena, phi)).unwrap_or_default() } else { BTreeSet::new() };
         let entry = |(unknown, value): &(usize, Expr)| Entry {
@@ -24,13 +24,11 @@ pub(super) fn pattern(model: &Model, arena: &Arena, unknowns: usize, equations: 
     Pattern { unknowns, rows: equations.iter().map(row).collect(), read }
 }
 
-/// True if a node chooses between values.
-pub(crate) fn has_choices(arena: &Arena) -> bool {
-    arena.all().any(|expr| is_choice(arena.node(expr)))
-}
-
-fn is_choice(node: &Node) -> bool {
-    matches!(node, Node::Select { .. } | Node::Unary(Unary::Sign, _))
+/// True if an equation between positions contains a choice between values.
+pub(crate) fn has_choices<'a>(arena: &Arena, equations: impl IntoIterator<Item = &'a Equation>) -> bool {
+    let roots: Vec<Expr> = equations.into_iter().filter_map(Equation::phi).collect();
+    let is_choice = |expr: Expr| matches!(arena.node(expr), Node::Select { .. } | Node::Unary(Unary::Sign, _));
+    arena.reachable(&roots).into_iter().any(is_choice)
 }
 
 /// The coordinates on which choices in an expression depend: it is not linear in them, even if its derivatives are constant.
