@@ -30,10 +30,10 @@ pub trait Dynamics<T: Scalar, const N: usize, const I: usize, const M: usize, co
     /// If there are any: the dimension of each equation at t = 0, as a power of a length.
     const POWERS: [u8; R] = [0; R];
 
-    /// True if an equation between positions may have a kink, by `if`, `abs`, `min` or `max`.
+    /// True if an equation between positions may have a kink, by `if`, `abs`, `min` or `max`. Kinks inside of functions in Rust are not seen.
     const HAS_KINKS: bool = false;
 
-    /// True if forces may have kinks or jump, by the same; kinks of functions in Rust are not known.
+    /// The same of forces, which may also jump.
     const FORCES_HAVE_KINKS: bool = false;
 
     /// The mechanism with parameters between the declared defaults (λ = 0) and these (λ = 1); `None` if there are no parameters, or they are the

@@ -11,11 +11,12 @@ pub struct Coordinate {
     pub name: &'static str,
     /// The quantity that it measures.
     pub kind: CoordinateKind,
-    /// The meaning of q, q̇ and q̈ at its index. Beside the first three entries of a rotation matrix stand ω and ω̇, whatever is said here.
+    /// The meaning of q, q̇ and q̈ at its index.
     pub entries: CoordinateEntries,
 }
 
-/// The meaning of q, q̇ and q̈ at the index of a coordinate. In the state of a slice the components of the output follow the coordinates.
+/// The meaning of q, q̇ and q̈ at the index of a coordinate. For entries of a rotation matrix, `a11` to `a33`, it is said of q alone: beside the first three
+/// stand ω and ω̇. In the state of a slice the components of the output follow the coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum CoordinateEntries {

@@ -18,7 +18,9 @@
 /// between −180° and 180°, where they jump: a head that turns further about `a` is two revolute joints with a body between them. A spring about
 /// an arm is `energy name = 0.5 * k * cross.angle_a^2 / 1rad;`.
 ///
-/// A body of which no start is declared begins where both are zero. Removes four freedoms. Degenerate case: where the shafts stand at a right angle to each other the cross folds, and the joint transmits no
+/// A body of which no start is declared begins where `angle_a` and `angle_b` are zero.
+///
+/// Removes four freedoms. Degenerate case: where the shafts stand at a right angle to each other the cross folds, and the joint transmits no
 /// rotation.
 ///
 /// Reference: Nikravesh, section 7.2; Haug, section 9.4.

@@ -64,16 +64,14 @@ fn swapped_carrier(item: &Item) -> Option<Warning> {
     Some(Warning { doubt: Doubt::CarrierAsRing { carrier: ring.value.to_string(), instead }, range: ring.value.range })
 }
 
-/// Doubts a driven distance that is negative at t = 0: a negative length alone, or with terms that contain `t`.
+/// Doubts a driven distance that is negative at t = 0: a negative length alone, or with terms that are zero there.
 fn negative_distance(item: &Item) -> Option<Warning> {
     let Item::Joint(joint) = item else { return None };
     let JointBody::Of { kind, arguments } = &joint.body else { return None };
     let is_law = |argument: &&Argument| argument.name.as_ref().is_some_and(|name| name == "C");
     let mut first = &arguments.iter().find(is_law).or(arguments.last()).filter(|_| kind == "drive_distance")?.value;
     while let ExpressionKind::Binary(Operator::Add | Operator::Sub, one, two) = &first.kind {
-        let mut moves = false;
-        two.each(&mut |part| moves |= part.name().is_some_and(|name| name == "t"));
-        if !moves {
+        if !begins_at_zero(two) {
             return None;
         }
         first = one;
@@ -82,6 +80,17 @@ fn negative_distance(item: &Item) -> Option<Warning> {
     let ExpressionKind::Number { unit, .. } = &length.kind else { return None };
     let is_length = quantity::unit(unit).is_some_and(|(_, dim)| dim == Dim::LENGTH);
     is_length.then(|| Warning { doubt: Doubt::NegativeRest { written: first.to_string(), of: "distance" }, range: first.range })
+}
+
+/// True for `t`, its products, quotients and powers, and sines of them.
+fn begins_at_zero(term: &Expression) -> bool {
+    match &term.kind {
+        ExpressionKind::Path(_) => term.name().is_some_and(|name| name == "t"),
+        ExpressionKind::Negative(inner) | ExpressionKind::Binary(Operator::Div | Operator::Power, inner, _) => begins_at_zero(inner),
+        ExpressionKind::Binary(Operator::Mul, one, two) => begins_at_zero(one) || begins_at_zero(two),
+        ExpressionKind::Call(path, arguments) => path.last == "sin" && arguments.iter().all(begins_at_zero),
+        _ => false,
+    }
 }
 
 /// Doubts programs of a whole turn that end, where a cam has them.

@@ -3,7 +3,7 @@
 use super::forms::as_factor;
 use crate::diag::{Doubt, Warning};
 use crate::quantity::{self, Dim};
-use crate::syntax::ast::{Expression, ExpressionKind, Item, Operator, every_item};
+use crate::syntax::ast::{Expression, ExpressionKind, FormalKind, Item, Operator, every_item};
 use proc_macro2::Ident;
 use std::collections::BTreeMap;
 
@@ -23,7 +23,10 @@ impl Angular {
                 Item::Parameter(quantity) | Item::Input(quantity) => note(&quantity.name, quantity.dimension.dim()),
                 Item::Let(binding) => note(&binding.name, of_literal(&binding.value)),
                 Item::Function(function) => function.argument.iter().for_each(|argument| note(argument, None)),
-                Item::Component(component) => component.head.parameters.iter().for_each(|formal| note(&formal.name, None)),
+                Item::Component(component) => component.head.parameters.iter().for_each(|formal| match &formal.kind {
+                    FormalKind::Scalar(dimension) => note(&formal.name, dimension.dim()),
+                    _ => note(&formal.name, None),
+                }),
                 Item::For(repeated) => note(&repeated.variable, None),
                 _ => {}
             }

@@ -369,7 +369,8 @@ fn call(input: ParseStream, path: Path, room: u16) -> Parsed<Expression> {
     let (content, range) = parentheses(input)?;
     let arguments = list(&content, room)?;
     let range = path.range.to(range);
-    let is_vector = || ["Vec", "Vector", "Point"].iter().any(|kind| path.tokens.to_string().contains(kind));
+    const VECTORS: [&str; 8] = ["Vec2", "Vec3", "DVec2", "DVec3", "Vector2", "Vector3", "Point2", "Point3"];
+    let is_vector = || path.tokens.to_string().rsplit("::").nth(1).is_some_and(|kind| VECTORS.contains(&kind.trim()));
     if path.name.is_none() && path.last == "new" && matches!(arguments.len(), 2 | 3) && is_vector() {
         let parts: Vec<String> = arguments.iter().map(ToString::to_string).collect();
         let instead = format!("({})", parts.join(", "));

@@ -281,7 +281,9 @@ fn of_other_kind(word: &str, rest: ParseStream, is_in_loop: bool) -> Parsed<Opti
     }
     if rest.peek(Token![:]) && !rest.peek(Token![::]) {
         rest.parse::<Token![:]>()?;
-        let dimension = rest.parse::<Ident>().ok().filter(|dimension| Dim::named(&dimension.to_string()).is_some());
+        let is_dimension = keyword(rest).is_some_and(|first| Dim::named(&first.to_string()).is_some());
+        let text = statement_text(rest)?;
+        let dimension = text.split('=').next().filter(|_| is_dimension);
         return Ok(dimension.map(|dimension| ("an item begins with its kind", format!("param {word}: {dimension} = …;"))));
     }
     if !rest.peek(token::Bracket) {

@@ -64,7 +64,7 @@ pub(super) fn no_unit_apart(input: ParseStream, number: Range, digits: &str) -> 
         }
         let is_unit = quantity::unit(&unit).is_some();
         if is_unit {
-            best = Some((unit.clone(), range, word == unit, ahead.peek(Token![*])));
+            best = Some((unit.clone(), range, word == unit, ahead.peek(Token![*]) || is_divided(&ahead)));
         }
         let is_quotient = ahead.peek(Token![/]);
         if !is_unit && is_quotient && unit.contains('_') {
@@ -91,7 +91,13 @@ pub(super) fn no_unit_apart(input: ParseStream, number: Range, digits: &str) -> 
     }
 }
 
-/// True for a word that goes on with an item behind a value.
+/// True before `/` and what is no unit.
+fn is_divided(input: ParseStream) -> bool {
+    let ahead = input.fork();
+    ahead.parse::<Token![/]>().is_ok() && keyword(&ahead).is_none_or(|word| quantity::unit(&unit_of_word(&word.to_string())).is_none())
+}
+
+/// True for a word that may follow a value within an item.
 pub(super) fn goes_on(word: &Ident) -> bool {
     ["at", "from", "along", "with", "in", "as", "if", "else"].iter().any(|known| word == known)
 }

@@ -263,8 +263,10 @@ fn expressions_that_are_often_meant_otherwise_are_doubted() {
     let rest = format!("`-1m` is negative, and no rest length is\n{meant}");
     let distance = format!("`-1m` is negative, and no distance is\n{meant}");
     let rod = |law: &str| plane(&format!("body c {{ point P = (1m, 0m); }} drive e = drive_distance((5m, 0m), c.P, {law});"));
-    assert_eq!(rod("-1m - 2mm_s * t"), [distance.as_str()]);
-    for sure in ["1m - 2mm_s * t", "-1m + 3m", "-1m + 2mm_s * t + 3m"] {
+    for law in ["-1m - 2mm_s * t", "-1m", "-1m + 2mm * sin(1rad_s * t)"] {
+        assert_eq!(rod(law), [distance.as_str()], "{law}");
+    }
+    for sure in ["1m - 2mm_s * t", "-1m + 3m", "-1m + 2mm_s * t + 3m", "-1m + (3m + 2mm_s * t)", "-1m + 3m * cos(1rad_s * t)"] {
         assert_eq!(rod(sure), Vec::<String>::new(), "{sure}");
     }
     assert_eq!(spring("spring((5m, 0m), c.P, 200N_m, rest: -1m)"), [rest.as_str()]);
@@ -452,6 +454,9 @@ fn conversions_of_quantities_with_units_are_doubted() {
         assert_eq!(law(sure), Vec::<String>::new(), "{sure}");
     }
     assert_eq!(law("2 * pi * speed * (t - 1s)"), said("2 * pi * speed * (t - 1s)", "speed * (t - 1s)"));
+    let own = "component Motor(speed: AngularVelocity) { body b { } joint o = revolute(ground.position, b.position);
+        drive d = drive_angle(b, 2 * pi * speed * t); } part one = Motor(3rpm);";
+    assert_eq!(doubts_of(own), said("2 * pi * speed * t", "speed * t"));
     let other = "param speed: AngularVelocity = 600rpm; component Motor(speed: Number) { body b { } joint o = revolute(ground.position, b.position);
         drive d = drive_angle(b, 2 * pi * speed * 1rad_s * t); } part one = Motor(3); output w = speed;";
     assert_eq!(doubts_of(other), Vec::<String>::new());

@@ -1,6 +1,9 @@
 //! Mistakes of grammar.
 
 crate::refusals! {
+    item a_unit_apart_before_a_quotient: "let w = «600 rad/s» / 2;" => "a unit is one word right behind its number\nhelp: write `600rad_s`";
+    item a_unit_in_capitals_before_a_quotient: "let w = «600 RPM» / double;" => "a unit is one word right behind its number\nhelp: write `600rpm`";
+    item a_field_of_a_quotient: "«pace»: Length / Time = 3m_s;" => "an item begins with its kind\nhelp: write `param pace: Length/Time = …;`";
     item a_unit_that_is_another_in_capitals: "let e = «5 MJ»;" => "an operator is missing between `5` and `MJ`\nhelp: write `5 * MJ`";
     item a_unit_of_energy_apart: "let e = 5 «kg» m^2/s^2;" => "expected `;`, found `kg`\nhelp: end what stands before it with `;`";
     item a_method_of_a_vector: "output a = crank.«dot»(ram);" => "there are no methods here\nhelp: write `dot(value)` for `value.dot()`";
