@@ -53,6 +53,26 @@ mechanism! {
     }
 }
 
+mechanism! {
+    #[outputs]
+    mechanism Keyword {
+        body r#match { }
+        joint o = revolute(ground.position, r#match.position);
+        drive d = drive_angle(r#match, 1rad_s * t);
+        output r#loop = r#match.angle;
+    }
+}
+
+/// Columns of coordinates and of outputs are called alike.
+#[test]
+fn names_that_are_words_of_rust_stand_without_their_mark() -> Outcome {
+    let (keyword, mut table) = (Keyword::default(), Vec::new());
+    csv::write(&mut table, &keyword, keyword.sweep([0.0]))?;
+    let (header, _) = parsed(&table);
+    assert!(["match.angle (rad)", "loop (rad)"].iter().all(|name| header.iter().any(|known| known == name)), "{header:?}");
+    Ok(())
+}
+
 /// The header and the rows of a table.
 fn parsed(table: &[u8]) -> (Vec<String>, Vec<Vec<f64>>) {
     let text = std::str::from_utf8(table).expect("it is text");

@@ -296,9 +296,18 @@ impl Column {
     }
 }
 
+/// A path of names without the `r#` of those that are words of Rust.
+struct Plain<'a>(&'a str);
+
+impl fmt::Display for Plain<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        self.0.split("r#").try_for_each(|part| f.write_str(part))
+    }
+}
+
 fn coordinate_names<W: Write>(table: &mut Table<W>, coordinates: &[Coordinate]) -> io::Result<()> {
     for coordinate in coordinates {
-        let Coordinate { body, name, .. } = coordinate;
+        let (body, name) = (Plain(coordinate.body), coordinate.name);
         match Column::of(coordinate) {
             Column::Moving(units) => {
                 for (order, unit) in ORDERS.iter().zip(units) {
@@ -337,7 +346,7 @@ fn coordinates<W: Write, T: Float, const N: usize>(
 fn output_names<W: Write>(table: &mut Table<W>, names: &[OutputName], beside: &[Coordinate]) -> io::Result<()> {
     for output in names {
         let OutputName { name, units } = output;
-        let is_called = |own: &Coordinate| name.strip_prefix(own.body).and_then(|rest| rest.strip_prefix('.')) == Some(own.name);
+        let is_called = |own: &Coordinate| *name == format!("{}.{}", Plain(own.body), own.name);
         let word = if beside.iter().any(is_called) { "output " } else { "" };
         for (order, unit) in ORDERS.iter().zip(units).take(columns(output)) {
             table.name(format_args!("{word}{name}{order}"), if unit.is_empty() { "1" } else { unit })?;

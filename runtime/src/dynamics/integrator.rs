@@ -264,11 +264,13 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
         let rest = t - state.t;
         let direction = if rest < T::ZERO { T::of(-1.0) } else { T::of(1.0) };
         let mut there = Reached::empty();
-        let mut is_shortened = false;
+        let (mut is_shortened, mut longest) = (false, self.longest_made);
         loop {
             let wanted = smaller(self.step.abs(), self.longest.abs());
             let is_last = wanted * T::of(1.0 + 1e-6) >= rest.abs();
             let h = if is_last { rest } else { direction * wanted };
+            // Before the first step it is the longest one tried: what counts as a slow speed does not depend on rejections.
+            longest = if longest == T::ZERO { h.without_derivatives().abs() } else { longest };
             if h.abs() <= T::of(4.0) * T::EPSILON * state.t.abs() && !is_last || h.abs() < T::of(SHORTEST) {
                 return Err(too_short(mechanism, state));
             }
@@ -276,14 +278,8 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
             // If the joints do not allow the trial state, the step is too long.
             let mut error_and_speed = (T::of(f64::INFINITY), self.fastest);
             let tried = K::trial(mechanism, state, h).and_then(|trial| {
-                error_and_speed = error(
-                    mechanism,
-                    state,
-                    &trial,
-                    h,
-                    (self.tolerance, self.fastest),
-                    (self.longest_made, is_shortened && self.instants < INSTANTS),
-                );
+                error_and_speed =
+                    error(mechanism, state, &trial, h, (self.tolerance, self.fastest), (longest, is_shortened && self.instants < INSTANTS));
                 let is_accepted = error_and_speed.0 <= T::of(1.0);
                 if is_accepted {
                     let tolerance = (self.tolerance, self.fastest);

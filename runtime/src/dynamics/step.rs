@@ -208,7 +208,7 @@ const CANCELLED: f64 = 1e3;
 
 /// Estimated error of a step, relative to the tolerance, and the largest speed so far.
 ///
-/// * `longest`: given, the longest step so far.
+/// * `longest`: given, the longest step so far, or the longest one tried if there is none.
 /// * `may_jump`: given, true if a force may jump in this step: longer ones were tried, and the steps before were no instants.
 pub(super) fn error<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,

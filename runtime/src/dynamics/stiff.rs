@@ -168,7 +168,19 @@ impl<T: Scalar, S, const N: usize, const I: usize, const M: usize> MotionAt<'_, 
         accelerations(self.mechanism, (q, qd), t, &mut self.pivots)
     }
 
-    /// Derivatives of the accelerations by positions and by speeds.
+    /// The sides of all jumps and kinks of forces on which a motion is.
+    fn sides<const R: usize>(&mut self, motion: [&[T; I]; 2], t: T) -> u64
+    where
+        S: Dynamics<T, N, I, M, R>,
+    {
+        for (vector, values) in self.vectors.iter_mut().zip(motion) {
+            put(vector, &S::INTEGRATED, values);
+        }
+        let [q, qd] = &self.vectors;
+        self.mechanism.sides_of_forces(q, qd, t)
+    }
+
+    /// Derivatives of the accelerations by positions and by speeds, on the side of a jump or a kink on which the motion is.
     fn slopes<const R: usize>(&mut self, motion: [&[T; I]; 2], here: &[T; I], t: T, h: T) -> Result<[Slopes<T, I>; 2], Stopped<T>>
     where
         S: Dynamics<T, N, I, M, R>,
@@ -180,14 +192,24 @@ impl<T: Scalar, S, const N: usize, const I: usize, const M: usize> MotionAt<'_, 
         let sloped = smaller(T::of(SLOPED) * T::EPSILON, T::ROOT_EPSILON);
         let smallest = smaller(sloped * h.abs(), T::ROOT_EPSILON / h.abs());
         let mut slopes = [[[T::ZERO; I]; I]; 2];
+        let sides = if S::FORCES_HAVE_KINKS { self.sides(motion, t) } else { 0 };
         for (part, slopes) in slopes.iter_mut().enumerate() {
             for column in 0..I {
                 let mut moved = motion.map(|values| *values);
                 let length = lengths[column];
                 let (scale, at_least) = if part == 0 { (length, T::ZERO) } else { (length * fastest, length * smallest) };
                 let before = moved[part][column];
-                let after = before + (T::ROOT_EPSILON * before.abs().max(scale)).max(at_least);
+                let increment = (T::ROOT_EPSILON * before.abs().max(scale)).max(at_least);
+                let mut after = before + increment;
                 moved[part][column] = after;
+                if S::FORCES_HAVE_KINKS && self.sides([&moved[0], &moved[1]], t) != sides {
+                    after = before - increment;
+                    moved[part][column] = after;
+                    // Where forces jump on both sides of the motion, the step takes their size alone.
+                    if self.sides([&moved[0], &moved[1]], t) != sides {
+                        continue;
+                    }
+                }
                 let there = self.at([&moved[0], &moved[1]], t)?;
                 for (row, (there, here)) in slopes.iter_mut().zip(there.iter().zip(here)) {
                     row[column] = (*there - *here) / (after - before);
@@ -201,7 +223,9 @@ impl<T: Scalar, S, const N: usize, const I: usize, const M: usize> MotionAt<'_, 
     where
         S: Dynamics<T, N, I, M, R>,
     {
-        let after = t + T::ROOT_EPSILON * t.abs().max(h.abs());
+        let increment = T::ROOT_EPSILON * t.abs().max(h.abs());
+        let crosses = S::FORCES_HAVE_KINKS && self.sides(motion, t) != self.sides(motion, t + increment);
+        let after = if crosses { t - increment } else { t + increment };
         let there = self.at(motion, after)?;
         Ok(core::array::from_fn(|k| (there[k] - here[k]) / (after - t)))
     }

@@ -147,6 +147,7 @@ impl fmt::Display for Doubt {
                 write!(f, "`{number}` has no unit: it is {number} rad/s, {in_rpm} rpm")?;
                 write!(f, "\nhelp: write `{number}rpm`, or `{number}rad_s` if it is meant")
             }
+            Doubt::Unlikely { flaw, help, .. } => write!(f, "{flaw}\nhelp: {help}"),
             Doubt::RaisedNumber { written, meaning, instead } => {
                 write!(f, "`{written}` raises the number, too: it is `{meaning}`\nhelp: write `{instead}`, or `{meaning}` if it is meant")
             }

@@ -52,6 +52,10 @@ pub(super) fn of_kind(wanted: &Wanted, found: &Kind, ambient: Ambient) -> &'stat
         (Wanted::Body, Kind::Axis | Kind::Point) => "\nhelp: write the name of the body alone",
         (Wanted::Axis, Kind::Number) if is_plane => "\nhelp: write `(1, 0)` for the direction of x",
         (Wanted::Axis, _) if !is_plane => "\nhelp: write `(1, 0, 0)` for the direction of x",
+        (Wanted::NumberVectorOrPoint, Kind::Orientation) => {
+            "\nhelp: what turns has a `body.angular_velocity`, an angle `rate(joint.angle)`"
+        }
+        (Wanted::Body, Kind::Number) => "\nhelp: write the name of a body, or `ground`",
         (Wanted::NumberOrVector, Kind::Orientation) => {
             "\nhelp: orientations are multiplied, and one stands before the vector that it turns"
         }
@@ -166,6 +170,9 @@ pub(super) fn of_dimension(wanted: Dim, found: Dim) -> &'static str {
             "\nhelp: a speed is driven by its integral: write `drive name = drive_distance(P, Q, 100mm + 10mm_s * t);`"
         }
         (Dim::MASS, Dim::FORCE) => "\nhelp: a mass is in kg, such as `2kg`; its weight follows from `gravity`",
+        (Dim::TORQUE, found) if Dim::TORQUE.times(Dim::ANGLE).per(Dim::TIME) == found => {
+            "\nhelp: the factor of an angular velocity is a damping, such as `0.02Nms`"
+        }
         (Dim::TORQUE, Dim::FORCE) => "\nhelp: a torque is a force times an arm, such as `5Nm`; a force is written `at point: (0N, -5N);`",
         (Dim::FORCE, Dim::TORQUE) => "\nhelp: a torque is written `on body: 5Nm;`, without a point",
         (wanted, found) if wanted == Dim::MASS.per(Dim::LENGTH) && found == Dim::FORCE.times(Dim::TIME).per(Dim::LENGTH) => {
@@ -203,6 +210,7 @@ fn example(wanted: Dim) -> &'static str {
 pub(super) fn of_function(wanted: Dim, found: Dim) -> &'static str {
     match found {
         Dim::LENGTH => "\nhelp: divide it by a length, as in `x / 10mm`",
+        Dim::ANGLE => "\nhelp: divide it by an angle, as in `x / 90deg`",
         found if found.is_of_time() => of_dimension(wanted, found),
         _ => "",
     }
@@ -227,6 +235,11 @@ pub(super) fn of_dimensions(one: Dim, two: Dim) -> &'static str {
     }
     match (one, two) {
         (Dim::LENGTH, Dim::ANGLE) | (Dim::ANGLE, Dim::LENGTH) => "\nhelp: an arc is a radius times an angle",
+        (found, Dim::FORCE) | (Dim::FORCE, found) if Dim::FORCE.per(Dim::LENGTH).per(Dim::LENGTH) == found => {
+            "\nhelp: a force is a pressure by an area, such as `5bar * 20cm2`"
+        }
+        (Dim::MASS, Dim::FORCE) | (Dim::FORCE, Dim::MASS) => "\nhelp: a weight is a mass by `9.81m_s2`; `gravity` adds those of all bodies",
+        (Dim::NUMBER, Dim::LENGTH) | (Dim::LENGTH, Dim::NUMBER) => "\nhelp: give the number a unit, such as `20mm`",
         _ => "",
     }
 }

@@ -253,6 +253,15 @@ pub enum Doubt {
         /// Teeth or radius of the sun gear.
         sun: String,
     },
+    /// An expression that is rather meant otherwise.
+    Unlikely {
+        /// Name of the warning.
+        name: &'static str,
+        /// The sentence about it.
+        flaw: String,
+        /// What to write, as a sentence.
+        help: String,
+    },
     /// The motion ends before it has repeated itself as a whole.
     MotionEnds(Box<Fact>),
     /// Nothing is used of a definition or a bundle that `use` brings in. rustc's own lint would suggest to delete half of the item.
@@ -313,6 +322,7 @@ impl Warning {
             Doubt::DegreesInOutput { .. } => "degrees_in_output",
             Doubt::CarrierAsRing { .. } => "carrier_as_ring",
             Doubt::RingInsideSun { .. } => "ring_inside_sun",
+            Doubt::Unlikely { name, .. } => name,
             Doubt::MotionEnds(_) => "motion_ends",
             Doubt::UnusedImport { .. } => "unused_import",
         };

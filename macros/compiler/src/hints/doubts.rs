@@ -1,11 +1,11 @@
 //! Warnings about valid expressions that are often meant otherwise: powers of numbers with units, frequencies and periods as angles, inputs by the
-//! time, free fall in other units or upwards, and free fall where nothing has a mass.
+//! time, rates of constants, drives that jump, forces along a velocity, free fall in other units or upwards, and free fall where nothing has a mass.
 
 use super::arguments::{doubtful_arguments, programs_that_end};
 use super::conversions::Angular;
 use crate::diag::{Doubt, Range, Warning, quantity as in_words};
 use crate::quantity::{self, Dim};
-use crate::syntax::ast::{Argument, Expression, ExpressionKind, Item, JointBody, Mechanism, Operator, Statement, every_item};
+use crate::syntax::ast::{Argument, Expression, ExpressionKind, Item, JointBody, Mechanism, Operator, Relation, Statement, every_item};
 use std::collections::BTreeSet;
 
 /// Free fall that is slower or faster than this (m/s²) was rather meant in millimetres.
@@ -15,8 +15,12 @@ const USUAL: [f64; 2] = [0.02, 100.0];
 const LAWS: [&str; 8] =
     ["linear", "harmonic", "cycloidal", "modified_sine", "modified_trapezoidal", "polynomial_345", "polynomial_4567", "smooth_step"];
 
-/// Names of quantities that make a product with `t` doubtful.
+/// Names of quantities that make an expression doubtful.
 struct Suspects {
+    /// Parameters.
+    parameters: BTreeSet<String>,
+    /// All inputs.
+    all_inputs: BTreeSet<String>,
     /// Inputs that are velocities.
     inputs: BTreeSet<String>,
     /// Frequencies.
@@ -29,9 +33,11 @@ struct Suspects {
 pub(crate) fn doubtful_expressions(tree: &Mechanism) -> Vec<Warning> {
     let is_rate = |dim: Dim| [Dim::ANGLE, Dim::LENGTH].contains(&dim.times(Dim::TIME));
     let (mut inputs, mut frequencies, mut periods, mut found) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new(), Vec::new());
+    let (mut parameters, mut all_inputs) = (BTreeSet::new(), BTreeSet::new());
     for item in every_item(&tree.items) {
         let (Item::Parameter(quantity) | Item::Input(quantity)) = item else { continue };
         let (name, dim) = (quantity.name.to_string(), quantity.dimension.dim());
+        if matches!(item, Item::Input(_)) { &mut all_inputs } else { &mut parameters }.insert(name.clone());
         if matches!(item, Item::Input(_)) && dim.is_some_and(is_rate) {
             inputs.insert(name);
         } else if dim == Some(Dim::NUMBER.per(Dim::TIME)) {
@@ -41,11 +47,13 @@ pub(crate) fn doubtful_expressions(tree: &Mechanism) -> Vec<Warning> {
         }
         found.extend(turns_as_speed(&quantity.default).filter(|_| dim == Some(Dim::ANGLE.per(Dim::TIME))));
     }
-    // A parameter of a component may have the name of an input.
-    let is_parameter =
-        |name: &String| every_item(&tree.items).any(|item| matches!(item, Item::Parameter(parameter) if parameter.name == *name));
-    inputs.retain(|name| !is_parameter(name));
-    let (names, angular) = (Suspects { inputs, frequencies, periods }, Angular::of(&tree.items));
+    // A parameter of a component may have the name of an input, and its argument that of either.
+    let arguments: BTreeSet<String> = every_item(&tree.items).flat_map(arguments_of).collect();
+    inputs.retain(|name| !parameters.contains(name));
+    let others = |names: &BTreeSet<String>, others: &BTreeSet<String>| names.difference(others).cloned().collect::<BTreeSet<String>>();
+    let [parameters, all_inputs] = [others(&parameters, &all_inputs), others(&all_inputs, &parameters)];
+    let [parameters, all_inputs] = [others(&parameters, &arguments), others(&all_inputs, &arguments)];
+    let (names, angular) = (Suspects { parameters, all_inputs, inputs, frequencies, periods }, Angular::of(&tree.items));
     for item in every_item(&tree.items) {
         let at_top = written_in(item);
         at_top.iter().for_each(|value| value.each(&mut |part| found.extend(names.doubt(part))));
@@ -55,6 +63,8 @@ pub(crate) fn doubtful_expressions(tree: &Mechanism) -> Vec<Warning> {
             found.extend(at_top.iter().flat_map(|value| angular.doubts(value)));
         }
         found.extend(names.turns_driven(item));
+        found.extend(jump_of_drive(item));
+        found.extend(driving_torques(item));
         found.extend(doubtful_arguments(item));
         if let Item::Gravity(gravity) = item {
             found.extend(unusual_gravity(&gravity.value));
@@ -182,6 +192,22 @@ impl Suspects {
         }
         match &value.kind {
             ExpressionKind::Binary(Operator::Power, base, exponent) => warn(raised_number(base, exponent)?, value.range),
+            ExpressionKind::Binary(Operator::Mul, rate, time) if time.name().is_some_and(|name| name == "t") => {
+                let input = rate_of(rate).filter(|name| self.all_inputs.contains(name))?;
+                let flaw = format!("`{value}` is not `{input}`: its rate at one instant acts over all the time before it");
+                warn(unlikely("rate_by_time", flaw, format!("write `{input}`")), value.range)
+            }
+            ExpressionKind::Call(..) if rate_of(value).is_some_and(|name| self.parameters.contains(&name)) => {
+                let parameter = rate_of(value)?;
+                let (flaw, help) =
+                    (format!("`{parameter}` does not change with time: its rate is 0"), "a quantity that changes is an `input`");
+                warn(unlikely("rate_of_parameter", flaw, help.to_owned()), value.range)
+            }
+            ExpressionKind::Call(function, arguments) if ["asin", "acos", "atan"].iter().any(|name| function.last == name) => {
+                let angle = arguments.first().filter(|argument| is_angle(argument))?;
+                let flaw = format!("`{angle}` is an angle already, and `{}` takes a number", function.last);
+                warn(unlikely("angle_of_angle", flaw, format!("write `{angle}`")), value.range)
+            }
             ExpressionKind::Call(function, arguments) if ["sin", "cos", "tan"].iter().any(|name| function.last == name) => {
                 let angle = arguments.first()?;
                 by_time(angle, &self.frequencies)?;
@@ -190,6 +216,82 @@ impl Suspects {
             _ => None,
         }
     }
+}
+
+fn unlikely(name: &'static str, flaw: String, help: String) -> Doubt {
+    Doubt::Unlikely { name, flaw, help }
+}
+
+/// The names that stand for what a component, a definition or a function takes, and those of loops and `let`.
+fn arguments_of(item: &Item) -> Vec<String> {
+    match item {
+        Item::Component(component) => component.head.parameters.iter().map(|formal| formal.name.to_string()).collect(),
+        Item::Function(function) => function.argument.iter().map(ToString::to_string).collect(),
+        Item::For(repeated) => vec![repeated.variable.to_string()],
+        Item::Let(binding) => vec![binding.name.to_string()],
+        _ => Vec::new(),
+    }
+}
+
+/// The name in `rate(name)`.
+fn rate_of(value: &Expression) -> Option<String> {
+    match &value.kind {
+        ExpressionKind::Call(function, arguments) if function.last == "rate" => match arguments.as_slice() {
+            [only] => only.name().map(ToString::to_string),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// Doubts a drive whose law is one number before an instant and another one after it.
+fn jump_of_drive(item: &Item) -> Option<Warning> {
+    let Item::Joint(joint) = item else { return None };
+    let JointBody::Of { kind, arguments } = &joint.body else { return None };
+    let law = &arguments.last()?.value;
+    let ExpressionKind::If { lhs, relation, rhs, then, otherwise } = &law.kind else { return None };
+    let is_time = |value: &Expression| value.name().is_some_and(|name| name == "t");
+    let instant = if is_time(lhs) { rhs } else { Some(lhs).filter(|_| is_time(rhs))? };
+    let is_below = matches!(relation, Relation::Less | Relation::LessOrEqual);
+    let (from, to) = if is_below == is_time(lhs) { (then, otherwise) } else { (otherwise, then) };
+    let number = |value: &Expression| match &value.kind {
+        // Of numbers without a unit others speak.
+        ExpressionKind::Number { digits, unit } if !unit.is_empty() => Some(digits.parse::<f64>().ok()? * quantity::unit(unit)?.0.to_f64()),
+        _ => None,
+    };
+    if !kind.to_string().starts_with("drive_") || number(from)? == number(to)? {
+        return None;
+    }
+    let flaw = format!("the drive jumps from {from} to {to} at t = {instant}, and no body moves so");
+    let height = if number(from)? == 0.0 { to.to_string() } else { format!("({to} - {from})") };
+    let begin = if number(from)? == 0.0 { String::new() } else { format!("{from} + ") };
+    let help = format!("lead from one to the other, such as by `{begin}{height} * cycloidal((t - {instant}) / 0.5s)`");
+    Some(Warning { doubt: unlikely("jump_of_drive", flaw, help), range: law.range })
+}
+
+/// Doubts a torque on a body along its angular velocity, and a force at a point along its velocity.
+fn driving_torques(item: &Item) -> Vec<Warning> {
+    let Item::Force(force) = item else { return Vec::new() };
+    let JointBody::Equations(statements) = &force.body else { return Vec::new() };
+    let doubt = |statement: &Statement| {
+        let Statement::Apply(applied) = statement else { return None };
+        let ExpressionKind::Binary(Operator::Mul, factor, speed) = &applied.value.kind else { return None };
+        let ExpressionKind::Number { unit, .. } = &factor.kind else { return None };
+        let own = match &speed.kind {
+            ExpressionKind::Field(body, name) => name == "angular_velocity" && body.to_string() == applied.target.to_string(),
+            ExpressionKind::Call(function, arguments) => {
+                function.last == "rate" && arguments.first().is_some_and(|point| point.to_string() == applied.target.to_string())
+            }
+            _ => false,
+        };
+        if !own || unit.is_empty() {
+            return None;
+        }
+        let flaw = format!("`{}` drives the motion instead of damping it", applied.value);
+        let help = format!("write `-{}`, or name the number with `let` if it is meant", applied.value);
+        Some(Warning { doubt: unlikely("driving_force", flaw, help), range: applied.value.range })
+    };
+    statements.iter().filter_map(doubt).collect()
 }
 
 /// Doubts `1 / 0.5s` as an angular velocity.

@@ -55,13 +55,16 @@ pub(crate) fn completed(names: &Names, definition: &Definition, given: &[(usize,
             (Some((_, text)), _) => written.push(text.clone()),
             (None, _) if formal.default.is_some() => {}
             (None, FormalKind::Body | FormalKind::Point) => {
-                let ground = if matches!(formal.kind, FormalKind::Body) { "ground" } else { "ground.position" };
+                let is_body = matches!(formal.kind, FormalKind::Body);
+                let other = given.iter().find(|(place, _)| is_like(*place)).and_then(|(_, one)| names.beside(one));
+                let other = other.unwrap_or("ground".to_owned());
+                let ground = if is_body { other } else { format!("{other}.position") };
                 let place = written.len() - usize::from(is_beside);
                 // Two of ground are one too many.
                 if is_beside && is_of_ground(&written[place]) {
                     return None;
                 }
-                written.insert(place, ground.to_owned());
+                written.insert(if ground.starts_with("ground") { place } else { written.len() }, ground);
             }
             (None, FormalKind::Axis) if names.ambient == Ambient::Plane => {
                 let beside = written.last().and_then(|point| names.axis_beside(point));
@@ -74,6 +77,18 @@ pub(crate) fn completed(names: &Names, definition: &Definition, given: &[(usize,
 }
 
 impl Names {
+    /// The first body without a joint so far, if the one of this point has a joint with ground.
+    fn beside(&self, point: &str) -> Option<String> {
+        let owner = point.rsplit_once('.').map_or(point, |(owner, _)| owner);
+        let own = FrameId(self.frames.iter().position(|frame| frame.name == owner)?);
+        let with_ground = |arguments: &[(String, Value)]| arguments.iter().any(|(_, value)| value.frame() == Some(FrameId::GROUND));
+        if !self.joints_of(own).any(|(_, _, arguments)| with_ground(arguments)) {
+            return None;
+        }
+        let mut others = (1..self.frames.len()).map(FrameId).filter(|frame| *frame != own);
+        others.find(|frame| self.joints_of(*frame).next().is_none()).map(|frame| self.frames[frame.0].name.clone())
+    }
+
     /// The first axis of the body whose point this is.
     fn axis_beside(&self, point: &str) -> Option<String> {
         let (owner, _) = point.rsplit_once('.')?;

@@ -15,11 +15,11 @@
 
 use super::piecewise::{piecewise, turn, wrapped};
 use super::{SCCA, SEGMENTS, SPLINE, Valuer, is_word};
-use crate::diag::{ArityFact, Range, ValueFact};
+use crate::diag::{ArityFact, GrammarFact, Range, ValueFact};
 use crate::expr::{Exact, Expr, Leaf, Unary, derivative};
 use crate::model::Requirement;
 use crate::names::{Scalar, Scope, Value};
-use crate::quantity::{Dim, InferredDim};
+use crate::quantity::{self, Dim, InferredDim};
 use crate::syntax::ast::{self, ExpressionKind, Relation};
 use core::f64::consts::TAU;
 use proc_macro2::Ident;
@@ -109,6 +109,14 @@ pub(crate) fn segments(work: &mut impl Valuer, name: &Ident, arguments: &[ast::E
     Some(Scalar { expr, measure: program.measure })
 }
 
+/// The dimension of a number with a unit.
+fn of_literal(value: &ast::Expression) -> Option<Dim> {
+    match &value.kind {
+        ExpressionKind::Number { unit, .. } => quantity::unit(unit).map(|(_, dim)| dim),
+        _ => None,
+    }
+}
+
 /// Reads a segment and adds it to the program.
 fn add<'a>(work: &mut impl Valuer, program: &mut Program<'a>, item: &'a ast::Expression, scope: &Scope) -> Option<()> {
     let ExpressionKind::Call(ast::Path { name: Some(word), .. }, arguments) = &item.kind else {
@@ -123,6 +131,12 @@ fn add<'a>(work: &mut impl Valuer, program: &mut Program<'a>, item: &'a ast::Exp
         }
         _ => return work.reject(word.into(), ValueFact::NotASegment),
     };
+    if let [height, duration, law] = arguments.as_slice()
+        && let (Some(Dim::ANGLE | Dim::TIME), Some(Dim::LENGTH)) = (of_literal(height), of_literal(duration))
+    {
+        let instead = format!("{word}({duration}, {height}, {law})");
+        return work.reject(item.range, GrammarFact::Misspelt { flaw: "the height of a segment comes first", instead });
+    }
     let time = fixed(work, duration, &mut program.x.measure, scope)?;
     let height = match height {
         Some(height) => Some((fixed(work, height, &mut program.measure, scope)?, height.range)),

@@ -1,8 +1,8 @@
 //! Parses the arguments of joints, forces and parts.
 
-use super::ast::Argument;
+use super::ast::{Argument, Expression};
 use super::expression::expression;
-use super::slip::law_as_closure;
+use super::slip::{law_as_closure, no_word_behind};
 use super::tokens::{Parsed, comma, name, parentheses, wrong};
 use crate::diag::GrammarFact;
 use syn::Token;
@@ -14,9 +14,26 @@ pub(super) fn arguments(input: ParseStream) -> Parsed<Vec<Argument>> {
     let mut arguments = Vec::new();
     while !content.is_empty() {
         arguments.push(argument(&content)?);
+        let value = arguments.last().map(|argument: &Argument| &argument.value);
+        if let Some(value) = value {
+            no_equation(&content, value)?;
+            no_word_behind(&content, value)?;
+        }
         comma(&content, "`,` or `)`")?;
     }
     Ok(arguments)
+}
+
+/// Refuses `revolute(crank.B == rod.position)`.
+fn no_equation(input: ParseStream, value: &Expression) -> Parsed<()> {
+    if !input.peek(Token![==]) {
+        return Ok(());
+    }
+    let ahead = input.fork();
+    ahead.parse::<Token![==]>()?;
+    let other = expression(&ahead)?;
+    let instead = format!("{value}, {other}");
+    wrong(value.range.to(other.range), GrammarFact::Misspelt { flaw: "arguments have a comma between them", instead })
 }
 
 /// `value` or `name: value`

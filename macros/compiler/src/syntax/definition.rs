@@ -1,6 +1,8 @@
 //! Parses definitions of constraints, and the statements that they share with mechanisms.
 
-use super::ast::{Added, Applied, Condition, Definition, Dimension, ExpressionKind, Formal, FormalKind, Let, MassItem, Statement};
+use super::ast::{
+    Added, Applied, Condition, Definition, Dimension, Expression, ExpressionKind, Formal, FormalKind, Let, MassItem, Statement,
+};
 use super::dimension::{dimension, dimension_of_value, required_dimension};
 use super::expression::{declared, expression, in_brackets, relation, value};
 use super::tokens::{
@@ -255,6 +257,26 @@ pub(super) fn binding(input: ParseStream) -> Parsed<Let> {
     Ok(Let { name, indices, dimension, value })
 }
 
+/// Refuses a matrix as an inertia.
+fn no_matrix(what: &Ident, value: &Expression) -> Parsed<()> {
+    let parts = |value: &Expression| match &value.kind {
+        ExpressionKind::Tuple(parts) | ExpressionKind::List(parts) if parts.len() == 3 => {
+            Some(parts.iter().map(ToString::to_string).collect())
+        }
+        _ => None,
+    };
+    let (ExpressionKind::Tuple(rows) | ExpressionKind::List(rows)) = &value.kind else { return Ok(()) };
+    let rows: Option<Vec<Vec<String>>> = rows.iter().map(parts).collect();
+    let Some([x, y, z]) = rows.as_deref().filter(|_| what == "inertia") else { return Ok(()) };
+    let is_zero = |product: &String| product.split(char::is_alphabetic).next().unwrap_or_default().parse() == Ok(0.0);
+    let (mut entries, products) = (vec![x[0].as_str(), &y[1], &z[2]], [&x[1], &x[2], &y[2]]);
+    if !products.into_iter().all(is_zero) {
+        entries.extend(products.into_iter().map(String::as_str));
+    }
+    let instead = format!("inertia = ({});", entries.join(", "));
+    wrong(value.range, GrammarFact::Misspelt { flaw: "an inertia is three numbers, or six with products of inertia", instead })
+}
+
 /// The value of a mass, a centre or an inertia.
 pub(super) fn mass(input: ParseStream, what: Ident) -> Parsed<MassItem> {
     let value = expression(input)?;
@@ -265,6 +287,11 @@ pub(super) fn mass(input: ParseStream, what: Ident) -> Parsed<MassItem> {
     } else {
         None
     };
+    no_matrix(&what, &value)?;
+    if let Some(word) = keyword(input).filter(|word| what == "inertia" && (word == "about" || word == "at")) {
+        let flaw = "an inertia is about the centre of mass, whose place is an item of its own";
+        return wrong(&word, GrammarFact::Misspelt { flaw, instead: format!("inertia = {value}; center = (…);") });
+    }
     semicolon(input)?;
     Ok(MassItem { what, value, along })
 }

@@ -12,8 +12,9 @@
 
 use super::ast::{Expression, ExpressionKind, Operator, Path, Relation};
 use super::slip::{
-    each_index_by_itself, goes_on, no_brackets, no_choice_behind, no_closure, no_common_unit, no_constant, no_index_in_parentheses,
-    no_parentheses, no_percentage, no_quotation, no_reference, no_self, no_truth, no_unit_apart, no_unit_raised, without_module,
+    each_index_by_itself, goes_on, no_brackets, no_choice_behind, no_closure, no_common_unit, no_constant, no_derivative,
+    no_index_in_parentheses, no_index_otherwise, no_parentheses, no_percentage, no_quotation, no_reference, no_self, no_truth,
+    no_unit_apart, no_unit_raised, one_word, without_module,
 };
 use super::tokens::{
     Parsed, braces, brackets, equals, expected, is_path, keyword, literal, name, next, parentheses, path, semicolon, wrong,
@@ -131,7 +132,11 @@ fn product(input: ParseStream, room: u16) -> Parsed<Expression> {
         } else {
             return Ok(left);
         };
-        left = binary(operator, left, sign(input, room)?)?;
+        let right = sign(input, room)?;
+        if operator == Operator::Div {
+            no_derivative(&left, &right)?;
+        }
+        left = binary(operator, left, right)?;
     }
 }
 
@@ -218,7 +223,10 @@ fn index(input: ParseStream, room: u16) -> Parsed<(Expression, Range)> {
 
 /// A name with its indices.
 pub(super) fn declared(input: ParseStream, what: &'static str) -> Parsed<(Ident, Vec<Expression>)> {
-    Ok((name(input, what)?, indices(input)?))
+    let name = name(input, what)?;
+    one_word(input, &name, false)?;
+    no_index_otherwise(input, &name)?;
+    Ok((name, indices(input)?))
 }
 
 /// `[i][j]` after a declared name.

@@ -14,7 +14,7 @@ use super::output::output;
 use super::parameter::{input_item, limits, parameter};
 use super::repeated::{component, part, repeated_items};
 use super::salvage;
-use super::slip::constant_of_rust;
+use super::slip::{constant_of_rust, one_word};
 use super::tokens::{
     Parsed, attributes, block, braces, comma, expected, is_item, keyword, mentions_masses, name, name_before_block, path, report,
     semicolon, skip_item, skip_to_block, statement_text, visibility, wrong,
@@ -73,6 +73,7 @@ fn head(input: ParseStream) -> Parsed<Mechanism> {
     }
     Ident::parse_any(input)?;
     let name = name(input, "the name of the mechanism")?;
+    one_word(input, &name, true)?;
     if name == "T" {
         return wrong(&name, GrammarFact::NumberType);
     }
@@ -157,6 +158,10 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
     let (docs, mut others) = attributes(input)?;
     if input.peek(Token![;]) {
         return wrong(input.span(), GrammarFact::StraySemicolon);
+    }
+    if input.peek(Token![,]) {
+        let flaw = "an item that ends with `}` has nothing behind it";
+        return wrong(input.span(), GrammarFact::Misspelt { flaw, instead: "body a { … } body b { … }".to_owned() });
     }
     let Some(keyword) = keyword(input) else {
         return expected(

@@ -54,6 +54,14 @@ pub(super) fn joint(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
         let value = expression(&before)?;
         return wrong(value.range, MotionFact::DriveWithoutName { value: value.to_string() });
     }
+    // `joint crank.A = rod.position`
+    if input.peek(Token![.]) && word == Word::Joint {
+        let value = expression(&before)?;
+        before.parse::<Token![=]>()?;
+        before.parse::<Option<Token![=]>>()?;
+        let instead = format!("joint name = {{ {value} == {}; }}", expression(&before)?);
+        return wrong(value.range, GrammarFact::Misspelt { flaw: "a joint has a name, and equations stand in braces", instead });
+    }
     if input.peek(token::Brace) {
         return expected(input, "`=` before the braces");
     }

@@ -1,10 +1,10 @@
 //! Parses parameters and inputs, and bounds.
 
-use super::ast::{Docs, Expression, ExpressionKind, Limits, ParameterItem};
+use super::ast::{Dimension, Docs, Expression, ExpressionKind, Limits, ParameterItem, Relation};
 use super::dimension::required_dimension;
-use super::expression::{declared, expression, in_brackets};
+use super::expression::{declared, expression, in_brackets, relation};
 use super::tokens::{Parsed, equals, expected, keyword, semicolon, wrong};
-use crate::diag::{GrammarFact, Range};
+use crate::diag::{GrammarFact, NameFact, Range};
 use crate::quantity::{self, Dim};
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
@@ -25,6 +25,8 @@ pub(super) fn parameter(input: ParseStream, docs: Docs) -> Parsed<ParameterItem>
     equals(input)?;
     let default = expression(input)?;
     no_least_and_greatest(input, &default)?;
+    no_comparison(input, &default)?;
+    is_of_unit(&dimension, &default)?;
     let limits = if input.peek(Token![in]) { Some(limits(input)?) } else { None };
     semicolon(input)?;
     Ok(ParameterItem { docs, name, indices, dimension, default, limits })
@@ -65,6 +67,30 @@ fn no_least_and_greatest(input: ParseStream, default: &Expression) -> Parsed<()>
     wrong(input.span(), GrammarFact::Misspelt { flaw: "bounds stand behind `in`", instead })
 }
 
+/// Refuses `40mm >= 10mm` as a default with a bound.
+fn no_comparison(input: ParseStream, default: &Expression) -> Parsed<()> {
+    let ahead = input.fork();
+    let Ok(relation) = relation(&ahead) else { return Ok(()) };
+    let bound = expression(&ahead)?;
+    let instead = match relation {
+        Relation::Greater | Relation::GreaterOrEqual => format!("{default} in {bound}.."),
+        Relation::Less => format!("{default} in ..{bound}"),
+        Relation::LessOrEqual => format!("{default} in ..={bound}"),
+        Relation::Equal | Relation::Different => return Ok(()),
+    };
+    wrong(input.span(), GrammarFact::Misspelt { flaw: "bounds stand behind `in`", instead })
+}
+
+/// Refuses an unknown dimension, and tells the one that the unit of the default has.
+fn is_of_unit(dimension: &Dimension, default: &Expression) -> Parsed<()> {
+    let ([(word, 1)], ExpressionKind::Number { unit, .. }) = (dimension.factors.as_slice(), &default.kind) else { return Ok(()) };
+    let known = quantity::unit(unit).and_then(|(_, dim)| Dim::names().find(|known| Dim::named(known) == Some(dim)));
+    match known.filter(|_| !unit.is_empty() && Dim::named(&word.to_string()).is_none()) {
+        Some(known) => wrong(word.span(), NameFact::UnknownDimension { name: word.to_string(), near: Some(known.to_owned()) }),
+        None => Ok(()),
+    }
+}
+
 /// `input name: Dimension = start;`; without a start it begins at 0.
 pub(super) fn input_item(input: ParseStream, docs: Docs) -> Parsed<ParameterItem> {
     Ident::parse_any(input)?;
@@ -74,6 +100,11 @@ pub(super) fn input_item(input: ParseStream, docs: Docs) -> Parsed<ParameterItem
         return without_dimension(input, (&name, &indices));
     }
     let dimension = required_dimension(input)?;
+    if input.peek(token::Paren) {
+        let [(word, _), ..] = dimension.factors.as_slice() else { return expected(input, "`;`") };
+        let flaw = "an input changes with time by itself";
+        return wrong(dimension.range, GrammarFact::Misspelt { flaw, instead: format!("input {name}: {word};") });
+    }
     let default = if input.peek(Token![=]) {
         equals(input)?;
         expression(input)?
@@ -97,6 +128,15 @@ fn no_drive(input: ParseStream, name: &Ident) -> Parsed<()> {
             wrong(input.span(), GrammarFact::Misspelt { flaw: "an input is a quantity, which a drive may follow", instead })
         }
         None => Ok(()),
+    }
+}
+
+/// The digits and the unit of a number.
+fn measured(value: &Expression) -> Option<(&str, &str)> {
+    match &value.kind {
+        ExpressionKind::Number { digits, unit } => Some((digits, unit)),
+        ExpressionKind::Negative(inner) => measured(inner),
+        _ => None,
     }
 }
 
@@ -125,5 +165,14 @@ pub(super) fn limits(input: ParseStream) -> Parsed<Limits> {
     }
     let to = if is_open { None } else { Some(expression(input)?) };
     let range = to.as_ref().map_or(range, |to| range.to(to.range));
+    if let (Some(from), Some(to)) = (&from, &to)
+        && let (Some((least, "")), Some((_, unit))) = (measured(from), measured(to))
+        && !unit.is_empty()
+        && least != "0"
+    {
+        let dots = if is_inclusive { "..=" } else { ".." };
+        let flaw = "each bound has a unit of its own";
+        return wrong(from.range, GrammarFact::Misspelt { flaw, instead: format!("in {from}{unit}{dots}{to}") });
+    }
     Ok(Limits { from, to, is_inclusive, range })
 }

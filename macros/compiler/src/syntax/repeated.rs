@@ -90,6 +90,16 @@ pub(super) fn repeated_marks(input: ParseStream) -> Parsed<For<Marks>> {
 /// Refuses `for body in bodies.iter()` and `for i in range(3)`.
 fn counts(input: ParseStream, variable: &Ident) -> Parsed<()> {
     let (ahead, place) = (input.fork(), input.span());
+    if let Ok((content, range)) = parentheses(&ahead)
+        && let Ok(bounds) = bounds(&content)
+        && ahead.peek(token::Brace)
+    {
+        let (from, to, dots) = (bounds.from, bounds.to, if bounds.is_inclusive { "..=" } else { ".." });
+        let instead = format!("for {variable} in {from}{dots}{to}");
+        return wrong(range, GrammarFact::Misspelt { flaw: "a range has no parentheses", instead });
+    }
+    no_length(input, variable)?;
+    let ahead = input.fork();
     let Ok(array) = ahead.parse::<Ident>() else { return Ok(()) };
     let flaw = "a loop counts whole numbers";
     if array == "range" && ahead.peek(token::Paren) {
@@ -121,15 +131,24 @@ fn counts(input: ParseStream, variable: &Ident) -> Parsed<()> {
     }
 }
 
-/// `for variable in from..to`
-fn head(input: ParseStream) -> Parsed<(Ident, IndexRange)> {
-    input.parse::<Token![for]>()?;
-    let variable = name(input, "a name after `for`")?;
-    if keyword(input).is_none_or(|word| word != "in") {
-        return expected(input, "`in` and a range such as `0..6`");
+/// Refuses `0..links.len()`.
+fn no_length(input: ParseStream, variable: &Ident) -> Parsed<()> {
+    let ahead = input.fork();
+    let Ok(from) = expression(&ahead) else { return Ok(()) };
+    let place = ahead.span();
+    if ahead.parse::<Token![..]>().is_err() || ahead.parse::<Ident>().is_err() || ahead.parse::<Token![.]>().is_err() {
+        return Ok(());
     }
-    input.parse::<Token![in]>()?;
-    counts(input, &variable)?;
+    let is_length = ahead.parse::<Ident>().is_ok_and(|word| ["len", "length", "size", "count"].iter().any(|known| word == known));
+    let flaw = "elements are not counted: their number has a name, as in `let n = 3;`";
+    match is_length && ahead.peek(token::Paren) {
+        true => wrong(place, GrammarFact::Misspelt { flaw, instead: format!("for {variable} in {from}..n") }),
+        false => Ok(()),
+    }
+}
+
+/// `from..to` or `from..=to`
+fn bounds(input: ParseStream) -> Parsed<IndexRange> {
     let from = expression(input)?;
     let is_inclusive = input.peek(Token![..=]);
     if is_inclusive {
@@ -139,5 +158,34 @@ fn head(input: ParseStream) -> Parsed<(Ident, IndexRange)> {
     } else {
         return expected(input, "`..` or `..=` and the end of the range");
     }
-    Ok((variable, IndexRange { from, to: expression(input)?, is_inclusive }))
+    Ok(IndexRange { from, to: expression(input)?, is_inclusive })
+}
+
+/// Refuses `1:n`, as it is written in MATLAB.
+fn no_colon(input: ParseStream, variable: &Ident) -> Parsed<()> {
+    let (ahead, place) = (input.fork(), input.span());
+    let Ok(from) = expression(&ahead) else { return Ok(()) };
+    if ahead.peek(Token![::]) || ahead.parse::<Token![:]>().is_err() {
+        return Ok(());
+    }
+    let to = expression(&ahead)?;
+    let flaw = "a range has two dots, and `=` where its end belongs to it";
+    match ahead.peek(token::Brace) {
+        true => wrong(place, GrammarFact::Misspelt { flaw, instead: format!("for {variable} in {from}..={to}") }),
+        false => Ok(()),
+    }
+}
+
+/// `for variable in from..to`
+fn head(input: ParseStream) -> Parsed<(Ident, IndexRange)> {
+    input.parse::<Token![for]>()?;
+    let variable = name(input, "a name after `for`")?;
+    if keyword(input).is_none_or(|word| word != "in") {
+        return expected(input, "`in` and a range such as `0..6`");
+    }
+    input.parse::<Token![in]>()?;
+    counts(input, &variable)?;
+    no_colon(input, &variable)?;
+    let bounds = bounds(input)?;
+    Ok((variable, bounds))
 }

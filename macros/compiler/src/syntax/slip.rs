@@ -1,26 +1,113 @@
 //! Spellings of other languages in expressions, refused with the line to type.
 
-use super::ast::{Expression, ExpressionKind, Path};
-use super::expression::{deeper, is_end, is_unit, list, relation, sum};
+use super::ast::{Expression, ExpressionKind, Operator, Path};
+use super::expression::{deeper, expression, is_end, is_unit, list, relation, sum};
 use super::tokens::{Parsed, braces, keyword, parentheses, wrong};
 use crate::diag::{GrammarFact, Range};
 use crate::quantity;
 use crate::words::{foreign, is_synonym};
-use proc_macro2::{Delimiter, TokenTree};
+use proc_macro2::{Delimiter, Group, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::{ParseBuffer, ParseStream};
-use syn::{Ident, Lit, LitInt, Token, token};
+use syn::{Ident, Lit, LitInt, LitStr, Token, token};
+
+/// True for a whole number, and for a name that loops often have.
+fn is_index(value: &Expression) -> bool {
+    match &value.kind {
+        ExpressionKind::Number { digits, unit } => unit.is_empty() && digits.bytes().all(|digit| digit.is_ascii_digit()),
+        ExpressionKind::Path(path) => ["i", "j", "k", "m", "n"].iter().any(|variable| path.last == variable),
+        _ => false,
+    }
+}
+
+/// Refuses `front-wheel` as a declared name, of a type for instance.
+pub(super) fn one_word(input: ParseStream, name: &Ident, is_type: bool) -> Parsed<()> {
+    let (ahead, mut words, mut range) = (input.fork(), vec![name.to_string()], Range::from(name));
+    while ahead.parse::<Token![-]>().is_ok()
+        && let Ok(word) = Ident::parse_any(&ahead)
+    {
+        range = range.to(&word);
+        words.push(word.to_string());
+    }
+    if words.len() == 1 {
+        return Ok(());
+    }
+    let initial = |word: &String| word.chars().take(1).flat_map(char::to_uppercase).chain(word.chars().skip(1)).collect::<String>();
+    let instead = if is_type { words.iter().map(initial).collect() } else { words.join("_") };
+    wrong(range, GrammarFact::Misspelt { flaw: "a name is one word", instead })
+}
+
+/// Refuses `link{i}` and `link(i)` as a declared name.
+pub(super) fn no_index_otherwise(input: ParseStream, name: &Ident) -> Parsed<()> {
+    let ahead = input.fork();
+    let Ok((content, range)) = (if input.peek(token::Brace) { braces(&ahead) } else { parentheses(&ahead) }) else { return Ok(()) };
+    let index = expression(&content).ok().filter(|index| content.is_empty() && is_index(index));
+    let goes_on = ahead.peek(token::Brace) || ahead.peek(Token![=]) || ahead.peek(Token![:]);
+    match index.filter(|_| goes_on) {
+        Some(index) => {
+            // What follows is no other item.
+            input.parse::<Group>()?;
+            let instead = format!("{name}[{index}]");
+            wrong(Range::from(name).to(range), GrammarFact::Misspelt { flaw: "an index stands in brackets", instead })
+        }
+        None => Ok(()),
+    }
+}
+
+/// Refuses `d / dt(x)`.
+pub(super) fn no_derivative(above: &Expression, below: &Expression) -> Parsed<()> {
+    match &below.kind {
+        ExpressionKind::Call(function, arguments) if function.last == "dt" => {
+            let is_letter = |value: &Expression| value.name().is_some_and(|name| name == "d");
+            let factor = match &above.kind {
+                ExpressionKind::Binary(Operator::Mul, factor, letter) if is_letter(letter) => format!("{factor} * "),
+                _ if is_letter(above) => String::new(),
+                _ => return Ok(()),
+            };
+            let arguments: Vec<String> = arguments.iter().map(ToString::to_string).collect();
+            let instead = format!("{factor}rate({})", arguments.join(", "));
+            wrong(above.range.to(below.range), GrammarFact::Misspelt { flaw: "the derivative by time has a name", instead })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Refuses `speed t` and `speed * t deg` as an argument.
+pub(super) fn no_word_behind(input: ParseStream, value: &Expression) -> Parsed<()> {
+    let ahead = input.fork();
+    let Some(word) = ahead.parse::<Ident>().ok().filter(|word| !goes_on(word) && (ahead.is_empty() || ahead.peek(Token![,]))) else {
+        return Ok(());
+    };
+    let (flaw, instead) = match quantity::unit(&word.to_string()).filter(|_| word != "t") {
+        Some(_) => ("a unit stands right behind a number, and other quantities carry theirs", value.to_string()),
+        None => ("an operator is missing", format!("{value} * {word}")),
+    };
+    wrong(value.range.to(&word), GrammarFact::Misspelt { flaw, instead })
+}
+
+/// Refuses `x`, `y` and `z`, also in quotation marks, as an axis.
+pub(super) fn no_letter(input: ParseStream, axis: &Ident) -> Parsed<()> {
+    let ahead = input.fork();
+    let minus = if ahead.parse::<Option<Token![-]>>()?.is_some() { "-" } else { "" };
+    let letter = match ahead.parse::<Ident>() {
+        Ok(letter) => letter.to_string(),
+        Err(_) => ahead.parse::<LitStr>().map(|letter| letter.value().to_lowercase()).unwrap_or_default(),
+    };
+    let instead = match letter.as_str() {
+        "x" => format!("axis {axis} = ({minus}1, 0);"),
+        "y" => format!("axis {axis} = (0, {minus}1);"),
+        "z" => format!("axis {axis} = (0, 0, {minus}1);"),
+        _ => return Ok(()),
+    };
+    let flaw = "an axis is given by a vector, of three components in space";
+    if ahead.peek(Token![;]) { wrong(input.span(), GrammarFact::Misspelt { flaw, instead }) } else { Ok(()) }
+}
 
 /// Refuses `plate.B(i)`.
 pub(super) fn no_index_in_parentheses(input: ParseStream, owner: &Expression, name: &Ident, room: u16) -> Parsed<()> {
     let ahead = input.fork();
     let (content, range) = parentheses(&ahead)?;
     let Ok(index) = sum(&content, room) else { return Ok(()) };
-    let is_index = |part: &Expression| match &part.kind {
-        ExpressionKind::Number { digits, unit } => unit.is_empty() && digits.bytes().all(|digit| digit.is_ascii_digit()),
-        ExpressionKind::Path(path) => ["i", "j", "k", "m", "n"].iter().any(|variable| path.last == variable),
-        _ => false,
-    };
     let is_mark = matches!(owner.kind, ExpressionKind::Path(_)) && foreign(&name.to_string()).is_none();
     if !content.is_empty() || !is_index(&index) || !is_mark {
         return Ok(());

@@ -273,6 +273,43 @@ fn expressions_that_are_often_meant_otherwise_are_doubted() {
     for sure in ["spring((5m, 0m), c.P, 200N_m, rest: 1m)", "actuator((5m, 0m), c.P, -200N)", "torsion_spring(ground, c, 5Nm_rad, -3deg)"] {
         assert_eq!(spring(sure), Vec::<String>::new(), "{sure}");
     }
+    let driving = |clause: &str, without: &str| {
+        let found = format!(
+            "`{without}` drives the motion instead of damping it\nhelp: write `-{without}`, or name the number with `let` if it is meant"
+        );
+        assert_eq!(plane(&format!("body c {{ point P = (1m, 0m); mass = 1kg; }} force f = {{ {clause}; }}")), [found]);
+    };
+    driving("on c: 0.02Nms * c.angular_velocity", "0.02Nms * c.angular_velocity");
+    driving("at c.P: 3Ns_m * rate(c.P)", "3Ns_m * rate(c.P)");
+    for sure in ["on c: -0.02Nms * c.angular_velocity", "on c: 0.02Nms * b.angular_velocity", "at c.P: 3Ns_m * rate(b.position)"] {
+        assert_eq!(plane(&format!("body c {{ point P = (1m, 0m); mass = 1kg; }} force f = {{ {sure}; }}")), Vec::<String>::new(), "{sure}");
+    }
+    let jump = |law: &str| plane(&format!("drive d = drive_angle(b, {law});"));
+    let leap = |from: &str, to: &str, law: &str| {
+        vec![format!(
+            "the drive jumps from {from} to {to} at t = 1s, and no body moves so\nhelp: lead from one to the other, such as by `{law}`"
+        )]
+    };
+    let law = "10deg + (40deg - 10deg) * cycloidal((t - 1s) / 0.5s)";
+    for written in ["if t < 1s { 10deg } else { 40deg }", "if 1s <= t { 40deg } else { 10deg }", "if t > 1s { 40deg } else { 10deg }"] {
+        assert_eq!(jump(written), leap("10deg", "40deg", law), "{written}");
+    }
+    assert_eq!(jump("if t < 1s { 0deg } else { 40deg }"), leap("0deg", "40deg", "40deg * cycloidal((t - 1s) / 0.5s)"));
+    for sure in ["if t < 1s { 40deg } else { 40deg }", "if t < 1s { 1rad_s * t } else { 1rad }", "if b.x < 1m { 10deg } else { 40deg }"] {
+        assert_eq!(jump(sure), Vec::<String>::new(), "{sure}");
+    }
+    let by_time = "`rate(w) * t` is not `w`: its rate at one instant acts over all the time before it\nhelp: write `w`";
+    assert_eq!(plane("input w: Angle; drive d = drive_angle(b, rate(w) * t);"), [by_time]);
+    let constant = "`r` does not change with time: its rate is 0\nhelp: a quantity that changes is an `input`";
+    assert_eq!(plane("param r: Length = 1m; output v = rate(r);"), [constant]);
+    for sure in [
+        "input r: Length = 1m; output v = rate(r);",
+        "param r: Length = 1m; function f(r: Angle) -> Velocity = 1m * rate(r); output v = f(b.angle);",
+    ] {
+        assert_eq!(plane(sure), Vec::<String>::new(), "{sure}");
+    }
+    let twice = "`b.angle - c.angle` is an angle already, and `acos` takes a number\nhelp: write `b.angle - c.angle`";
+    assert_eq!(plane("body c {} output m = acos(b.angle - c.angle);"), [twice]);
     let jumps = "a change of `w` acts over all the time before it: `w * t` jumps\nhelp: a commanded speed is a `param` of a mechanism that is \
                  `#[integrated]`: see the page on control loops";
     assert_eq!(plane("input w: AngularVelocity; drive d = drive_angle(b, w * t);"), [jumps]);

@@ -262,7 +262,7 @@ crate::refusals! {
     item redundant_behind_the_equals_sign: "joint a = «redundant» revolute(crank.A, ram.B);" => "`redundant` stands before `joint`\nhelp: write `redundant joint name = revolute(…);`";
     item part_with_its_component_first: "component Leg(P: Point) { body b {} } part «Leg» left((0mm, 0mm));" => "a part has its name first\nhelp: write `part left = Leg((0mm, 0mm));`";
     item two_outputs_at_once: "output x«,» y = crank.A;" => "expected `=`, found `,`\nhelp: each has a declaration of its own";
-    item a_name_with_a_dash: "output tip«-»speed = crank.x;" => "expected `=`, found `-`\nhelp: a name is one word, with `_` in the place of `-`";
+    item a_name_with_a_dash: "output «tip-speed» = crank.x;" => "a name is one word\nhelp: write `tip_speed`";
     item a_body_that_is_fixed: "body base { «fixed» = true; }" => "`fixed` is no item of a body\nhelp: what stands still is `ground`: write its points there, `ground { … }`";
     item input_without_dimension: "input theta «=» 30deg;" => "expected `:` and a dimension such as `Length`, found `=`\nhelp: write `theta: Angle = 30deg;`";
     item teeth_as_a_unit: "joint m = gear_pair(crank, ram, 20 * «teeth», 60);" => "nothing is called `teeth` here\nhelp: numbers of teeth have no unit: write the number alone";
@@ -288,6 +288,30 @@ crate::refusals! {
     item bound_by_a_word: "param r: Length = 50mm «min» = 10mm;" => "bounds stand behind `in`\nhelp: write `50mm in 10mm..`";
     item name_right_behind_a_number: "output b = «2length»;" => "an operator is missing between a number and a name\nhelp: write `2 * length`";
     item rate_behind_a_comma: "freedom f = ram.x from 3mm«,» 2mm_s;" => "the rate at t = 0 stands behind `at`\nhelp: write `ram.x from 3mm at 2mm_s`";
+    item a_name_with_dashes: "body «front-left-wheel» {}" => "a name is one word\nhelp: write `front_left_wheel`";
+    item an_index_in_braces: "for i in 0..2 { body «link{i}» {} }" => "an index stands in brackets\nhelp: write `link[i]`";
+    item an_index_in_parentheses: "for i in 0..2 { output «place(i)» = crank.x; }" => "an index stands in brackets\nhelp: write `place[i]`";
+    item a_derivative_by_dt: "output w = «2 * d / dt(crank.angle)»;" => "the derivative by time has a name\nhelp: write `2 * rate(crank.angle)`";
+    item a_name_behind_an_argument: "drive d = drive_angle(crank, «speed t»);" => "an operator is missing\nhelp: write `speed * t`";
+    item a_unit_behind_an_argument: "drive d = drive_angle(crank, «speed * t deg»);" => "a unit stands right behind a number, and other quantities carry theirs\nhelp: write `speed * t`";
+    item an_axis_by_a_letter: "body b { axis u = «x»; }" => "an axis is given by a vector, of three components in space\nhelp: write `axis u = (1, 0);`";
+    item an_axis_by_a_negative_letter: "body b { axis u = «-»\"Y\"; }" => "an axis is given by a vector, of three components in space\nhelp: write `axis u = (0, -1);`";
+    item an_axis_by_the_letter_z: "body b { axis u = «z»; }" => "an axis is given by a vector, of three components in space\nhelp: write `axis u = (0, 0, 1);`";
+    item arguments_as_an_equation: "joint a = revolute(«crank.A == ram.B»);" => "arguments have a comma between them\nhelp: write `crank.A, ram.B`";
+    item a_joint_called_by_a_point: "joint «crank.A» = ram.B;" => "a joint has a name, and equations stand in braces\nhelp: write `joint name = { crank.A == ram.B; }`";
+    item a_bound_as_a_comparison: "param r: Length = 50mm «>»= 10mm;" => "bounds stand behind `in`\nhelp: write `50mm in 10mm..`";
+    item a_bound_above_as_a_comparison: "param r: Length = 50mm «<» 60mm;" => "bounds stand behind `in`\nhelp: write `50mm in ..60mm`";
+    item one_unit_for_two_bounds: "param r: Length = 50mm in «10»..=60mm;" => "each bound has a unit of its own\nhelp: write `in 10mm..=60mm`";
+    item a_dimension_of_another_name: "param k: «SpringRate» = 20N_m;" => "no dimension is called `SpringRate`\nhelp: did you mean `Stiffness`?";
+    item an_input_of_time: "input q: «Angle»(t) = 1rad;" => "an input changes with time by itself\nhelp: write `input q: Angle;`";
+    item a_range_in_parentheses: "for i in «(0..=3)» { body b[i] {} }" => "a range has no parentheses\nhelp: write `for i in 0..=3`";
+    item a_range_as_in_matlab: "for i in «1»:3 { body b[i] {} }" => "a range has two dots, and `=` where its end belongs to it\nhelp: write `for i in 1..=3`";
+    item the_length_of_an_array: "for i in 0«.».link.len() { body b[i] {} }" => "elements are not counted: their number has a name, as in `let n = 3;`\nhelp: write `for i in 0..n`";
+    item a_matrix_of_inertia: "body b { mass = 1kg; inertia = «((1kgm2, 0, 0), (0, 2kgm2, 0kgm2), (0, 0, 3kgm2))»; }" => "an inertia is three numbers, or six with products of inertia\nhelp: write `inertia = (1kgm2, 2kgm2, 3kgm2);`";
+    item a_matrix_of_products_of_inertia: "body b { mass = 1kg; inertia = «[[3, 1, 0], [1, 4, 0], [0, 0, 5]]»; }" => "an inertia is three numbers, or six with products of inertia\nhelp: write `inertia = (3, 4, 5, 1, 0, 0);`";
+    item an_inertia_about_a_point: "body b { mass = 1kg; inertia = 1kgm2 «about» pivot; }" => "an inertia is about the centre of mass, whose place is an item of its own\nhelp: write `inertia = 1kgm2; center = (…);`";
+    item bodies_with_a_comma: "body b {}«,» body c {}" => "an item that ends with `}` has nothing behind it\nhelp: write `body a { … } body b { … }`";
+    item a_segment_with_its_duration_first: "function f(s: Angle) -> Length = segments(s, 0mm, [«rise(90deg, 5mm, cycloidal)», dwell(270deg)]);" => "the height of a segment comes first\nhelp: write `rise(5mm, 90deg, cycloidal)`";
     item start_of_a_body_in_braces: "body b { start «{» angle = 10deg; } }" => "expected `x`, `y`, `angle` or `position`, found `{`\nhelp: say of which coordinate, as in `start x = 200mm;` or `start position = (200mm, 0mm);`";
 }
 

@@ -79,10 +79,13 @@ impl Axis {
     }
 }
 
-/// Least and largest finite value; around values that agree to rounding, a range that tells them apart from zero.
+/// Numbers beyond this one have no place on an axis.
+pub(super) const LARGEST: f64 = 1e300;
+
+/// Least and largest value with a place; around values that agree to rounding, a range that tells them apart from zero.
 fn span(values: impl Iterator<Item = f64>) -> Range<f64> {
     let ends = |(low, high): (f64, f64), value: f64| (low.min(value), high.max(value));
-    let (low, high) = values.filter(|value| value.is_finite()).fold((f64::INFINITY, f64::NEG_INFINITY), ends);
+    let (low, high) = values.filter(|value| value.abs() <= LARGEST).fold((f64::INFINITY, f64::NEG_INFINITY), ends);
     let largest = low.abs().max(high.abs());
     if low > high {
         -1.0..1.0

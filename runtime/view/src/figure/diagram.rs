@@ -8,7 +8,7 @@ use plotters::element::{Circle, PathElement};
 use plotters::style::{Color, RGBColor, ShapeStyle, TRANSPARENT};
 
 use super::FONTS;
-use super::axis::Axis;
+use super::axis::{Axis, LARGEST};
 use crate::recording::{Plot, Series};
 use crate::unviewable::Unviewable;
 
@@ -96,7 +96,7 @@ impl Diagram<'_> {
 
     /// The points of a series; `None` where the value is not finite.
     fn points(&self, series: &Series) -> Vec<Option<(f64, f64)>> {
-        self.values.iter().zip(&series.values).map(|(x, y)| y.is_finite().then_some((*x, *y))).collect()
+        self.values.iter().zip(&series.values).map(|(x, y)| (y.abs() <= LARGEST).then_some((*x, *y))).collect()
     }
 
     /// Lines between points; a point between two gaps is a dot.

@@ -184,3 +184,14 @@ fn figures_refuse_what_pages_refuse() {
     assert_eq!(message(states([0.0, 1.0, 1.0])), "`t` does not increase at state 2");
     assert_eq!(message(states([0.0, 1.0, 2.0]).trace("pin", |angle| [1.0 / (angle - 1.0), 0.0])), "`pin` has no place at state 1");
 }
+
+/// A number near the largest one, and a title with a character that XML does not have.
+#[test]
+fn figures_of_any_numbers_and_names_are_drawn() -> Result<(), Unviewable> {
+    let view = View::new("Engine\u{1} <no. 1>", turn(8), |angle| *angle, |angle| engine(*angle));
+    let view = view.plot("far\u{0}", "m", |angle| if *angle > 1.0 { 1e308 } else { -1e308 }).plot("near", "m", |angle| *angle);
+    let figure = view.figure(1, &[])?;
+    let tree = Document::parse(&figure).expect("XML");
+    assert!(tree.descendants().any(|node| node.text() == Some("Engine  <no. 1>")), "{figure}");
+    Ok(())
+}

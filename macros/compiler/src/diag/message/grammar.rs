@@ -88,7 +88,6 @@ impl Display for GrammarFact {
                     ("`(` and the arguments", "`{`") => write!(f, "\nhelp: arguments stand in parentheses"),
                     ("`(` and the arguments of the component", "`;`") => write!(f, "\nhelp: one without arguments is called with `()`"),
                     ("`=`", "`,`") => write!(f, "\nhelp: each has a declaration of its own"),
-                    ("`=`", "`-`") => write!(f, "\nhelp: a name is one word, with `_` in the place of `-`"),
                     ("`t in from..to`", _) => write!(f, "\nhelp: a range is one of time: write `range t in 0s..1s;`"),
                     ("`from` and the value at t = 0, `at` and the rate at t = 0, or `;`", "`in`") => {
                         write!(f, "\nhelp: a freedom has no bounds; forces that end a motion are `stop`, `stop_along` and `torsion_stop`")
@@ -437,7 +436,8 @@ impl Display for GrammarFact {
                 if crate::quantity::unit(&format!("{suffix}{unit}")).is_some() {
                     return write!(f, "a unit stands right behind its number\nhelp: write `{number}{unit}`");
                 }
-                write!(f, "an operator is missing between `{number}` and `{unit}`\nhelp: write `{number} * {unit}`")
+                let degrees = if unit == "d" { format!(", or `{number}deg` for degrees") } else { String::new() };
+                write!(f, "an operator is missing between `{number}` and `{unit}`\nhelp: write `{number} * {unit}`{degrees}")
             }
             GrammarFact::ExponentTooLarge { limit } => write!(f, "the exponent of a dimension is at most {limit}"),
             GrammarFact::OnlyAtTheTop { word } => {

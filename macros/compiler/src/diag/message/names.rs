@@ -6,6 +6,9 @@ use crate::quantity::{Dim, Role};
 use crate::words::{Home, equivalent, foreign, usual_dimension};
 use std::fmt::{Display, Formatter, Result};
 
+/// Words for how a body is turned.
+const TURNS: [&str; 8] = ["roll", "pitch", "yaw", "rotation", "euler", "rpy", "quaternion", "attitude"];
+
 /// The units that are named where no unit is near.
 const USUAL: [&str; 16] = ["m", "mm", "in", "rad", "deg", "s", "kg", "N", "Nm", "rpm", "rad_s", "m_s", "kgm2", "N_m", "W", "Pa"];
 
@@ -109,6 +112,13 @@ impl Display for NameFact {
                 write!(f, "{owner} has no `{name}`\nnote: loads are computed for a state, in Rust")?;
                 write!(f, "\nhelp: `mechanism.loads(&state)` has a method for each joint, with `force` and `torque`, ")?;
                 write!(f, "and for each drive, with `effort` and `power`")
+            }
+            NameFact::UnknownField { owner, name, near: None, .. } if TURNS.contains(&name.as_str()) => {
+                write!(f, "{owner} has no `{name}`\nhelp: angles are those of joints, such as `hinge.angle`; ")?;
+                write!(f, "the orientation of a state is read in Rust, by `state.body().orientation()`")
+            }
+            NameFact::UnknownField { owner, name, .. } if owner == "a number" && name == "value" => {
+                write!(f, "{owner} has no `{name}`\nhelp: it stands by its name alone")
             }
             NameFact::UnknownField { owner, name, near: Some(near), .. } if name == "angle" && near.ends_with(".angle") => {
                 write!(f, "{owner} has no `angle` in the plane\nhelp: bodies have one: write `{near}`")

@@ -54,6 +54,10 @@ impl Display for ValueFact {
                 if definition == "screw" && parameter == "lead" && found.times(Dim::ANGLE) == *wanted {
                     return write!(f, "\nhelp: the lead is the way of one turn: write `lead: 5mm`");
                 }
+                let share = [Dim::FORCE, Dim::TORQUE].into_iter().find(|of| definition.contains("stop") && found.per(*of) == *wanted);
+                if share.is_some() {
+                    return write!(f, "\nhelp: it multiplies the force of the stop: divide by it, as in `500Ns_m / 5kN`");
+                }
                 if found.times(Dim::TIME) == *wanted && [Dim::ANGLE, Dim::LENGTH].contains(wanted) {
                     return write!(f, "\nhelp: multiply the rate by `t`");
                 }
@@ -199,7 +203,10 @@ impl Display for ValueFact {
                         )
                     }
                     Kind::Joint | Kind::JointOf(_) => {
-                        write!(f, "\nhelp: write a value of it, such as `joint.P`, or in space `joint.angle` or `joint.displacement`")
+                        write!(
+                            f,
+                            "\nhelp: write a value of it, such as `joint.P`, or in space `joint.angle` or `joint.displacement`; its force is one of the loads, `mechanism.loads(&state)`"
+                        )
                     }
                     _ => Ok(()),
                 }
