@@ -283,3 +283,32 @@ fn a_call_without_time_counts() {
     let states: Vec<_> = rods.sweep_from(&state, [now, now + 1e-9], Integrator::new(1e-9)).map(Result::unwrap).collect();
     assert!((states[0].lower().angular_acceleration - states[1].lower().angular_acceleration).abs() < 1e-6);
 }
+
+mechanism! {
+    /// A block on a spring whose stiffness has bounds.
+    mechanism Bounded {
+        param k: Stiffness = 10N_m in 1N_m..=100N_m;
+        body block { mass = 1kg; }
+        joint rail = translational((1, 0), (0m, 0m), block.position);
+        force spring = spring((0m, 0m), block.position, stiffness: k);
+        freedom slide = block.x from 1m;
+    }
+}
+
+/// Also where the state is one of another stiffness.
+#[test]
+fn a_parameter_out_of_its_bounds_moves_nothing() {
+    let (state, weak) = (Bounded::default().initial_state().expect("a state"), Bounded { k: 0.5 });
+    let begun = || state.clone();
+    let refused = [
+        weak.initial_state().err(),
+        weak.accelerate(&mut begun()).err(),
+        weak.accelerate_with_loads(&mut begun()).err(),
+        weak.step(&mut begun(), 0.1).err(),
+        weak.advance(&mut begun(), 0.1, &mut Integrator::new(1e-9)).err(),
+        weak.sweep_from(&begun(), [0.1], Integrator::new(1e-9)).next().and_then(Result::err),
+    ];
+    for (number, refused) in refused.into_iter().enumerate() {
+        assert!(matches!(refused, Some(Stopped::ParameterOutOfRange(parameter)) if parameter.name == "k"), "{number}: {refused:?}");
+    }
+}

@@ -42,3 +42,23 @@ fn a_spring_without_rest_works_at_length_zero() {
         assert!((force - 4.2 * (2.0 * t).sin()).abs() < 1e-14, "{force} at {t}");
     }
 }
+
+mechanism! {
+    /// A block on a spring without a length of its own, by the energy of the spring.
+    mechanism Drawn {
+        body block { mass = 1kg; }
+        joint rail = translational((1, 0), ground.position, block.position);
+        energy spring = 0.5 * 100N_m * norm(block.position - ground.position)^2;
+        freedom slide = block.x from 0m at 1m_s;
+    }
+}
+
+/// The distance has no derivative where it vanishes; its square has. x = sin(ω t)/ω
+#[test]
+fn the_square_of_a_distance_is_an_energy_also_where_it_vanishes() {
+    let drawn = Drawn::default();
+    let mut state = drawn.initial_state().expect("a state");
+    drawn.advance(&mut state, 1.0, &mut Integrator::new(1e-10)).expect("a motion");
+    let (sine, cosine) = 10_f64.sin_cos();
+    assert!((state.block().position.x - sine / 10.0).abs() < 1e-10 && (state.block().velocity.x - cosine).abs() < 1e-9);
+}

@@ -1,6 +1,6 @@
 //! Stiff motions.
 
-use reuleaux::{Integrator, mechanism};
+use reuleaux::{Integrator, Real, mechanism};
 
 mechanism! {
     /// A sledge on a spring with a damper that lets it creep only.
@@ -169,5 +169,64 @@ fn a_motion_that_starts_on_the_edge_of_a_jump_is_as_exact_as_any() {
                 assert!(place.abs().max(speed.abs()) < tolerance, "{tolerance}: {place} m, {speed} m/s of {edge:?}");
             }
         }
+    }
+}
+
+mechanism! {
+    /// A block that a force pushes out of rest against friction, which has its size from a speed on that is hardly one.
+    mechanism Rubbed {
+        param transition: Velocity = 1mm_s;
+        param rise: Force / Time = 0N / 1s;
+        param push: Force = 5N;
+        ground { axis u = (1, 0); }
+        body block { mass = 1kg; }
+        joint rail = translational(ground.u, ground.position, block.position);
+        force rub = friction(ground.position, ground.u, block.position, normal: 10N, coefficient: 0.2, transition: transition);
+        force pull = { at block.position: (push + rise * t, 0N); }
+        freedom slide = block.x from 0m;
+    }
+}
+
+/// Slopes of friction at rest are no slopes of a block that slides. With F − R, and from the instant on at which the force exceeds the friction.
+#[test]
+fn friction_with_a_steep_transition_takes_no_time() {
+    for transition in [1e-6, 1e-8, 1e-12] {
+        for tolerance in [1e-3, 1e-6, 1e-8] {
+            let pushed = Rubbed { transition, ..Rubbed::default() };
+            let pulled = Rubbed { transition, push: 0.0, rise: 10.0 };
+            for (rubbed, speed) in [(pushed, 3.0), (pulled, 3.2)] {
+                let mut state = rubbed.initial_state().expect("a state");
+                rubbed.advance(&mut state, 1.0, &mut Integrator::stiff(tolerance)).expect("it slides");
+                let off = state.block().velocity.x - speed;
+                assert!(off.abs() < 10.0 * tolerance + 50.0 * transition, "{off} m/s at {tolerance}, {transition}");
+            }
+        }
+    }
+}
+
+/// 10 N for positive speeds.
+fn relay<T: Real>(speed: T) -> (T, T, T) {
+    (T::select_less(T::of(0.0), speed, T::of(10.0), T::of(0.0)), T::of(0.0), T::of(0.0))
+}
+
+mechanism! {
+    /// A block on which a function of Rust acts that jumps where the block starts.
+    mechanism Switched {
+        function law(Velocity) -> Force = relay;
+        body block { mass = 1kg; }
+        joint rail = translational((1, 0), ground.position, block.position);
+        force push = { at block.position: (1N + law(rate(block.x)), 0N); }
+        freedom slide = block.x from 0m;
+    }
+}
+
+/// Nothing is known of the function but its values.
+#[test]
+fn a_function_of_rust_may_jump_at_the_start() {
+    for tolerance in [1e-3, 1e-6, 1e-8] {
+        let switched = Switched::default();
+        let mut state = switched.initial_state().expect("a state");
+        switched.advance(&mut state, 1.0, &mut Integrator::stiff(tolerance)).expect("it slides");
+        assert!((state.block().position.x - 5.5).abs() < tolerance.max(1e-9) * 10.0, "{} m", state.block().position.x);
     }
 }

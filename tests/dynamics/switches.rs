@@ -319,3 +319,116 @@ fn a_driven_place_is_chosen_by_the_state_at_hand() {
         assert!((found.position.x - wanted[0]).abs() < 1e-12 && (found.velocity.x - wanted[1]).abs() < 1e-12, "t = {t}: {found:?}");
     }
 }
+
+mechanism! {
+    /// A block that is braked to rest by a force and by dry friction.
+    mechanism Halted {
+        param friction: Force = 2N;
+        param force: Force = 20N;
+        param speed: Velocity = 1m_s;
+        body b { mass = 1kg; }
+        joint rail = translational((1, 0), (0m, 0m), b.position);
+        force brake = { at b.position: (-force - if rate(b.x) > 0 { friction } else { -friction }, 0N); }
+        freedom stroke = b.x from 0m at speed;
+    }
+}
+
+/// It stops at v/(F + R), where the friction turns over; then it is pushed back by F − R.
+#[test]
+fn an_event_where_a_force_jumps_has_the_derivatives_of_its_instant() {
+    for (friction, force, speed) in [(2.0, 20.0, 1.0), (0.3, 7.0, 2.5), (5.0, 6.0, 0.1)] {
+        for tolerance in [1e-5, 1e-7, 1e-9, 1e-11] {
+            let halted = Halted { friction, force, speed }.with_derivatives(|m| [&mut m.friction, &mut m.force, &mut m.speed]);
+            let mut state = halted.initial_state().expect("a state");
+            let mut integrator = Integrator::new(tolerance.into());
+            halted.advance_until(&mut state, 10.0.into(), &mut integrator, |state| state.b().velocity.x).expect("a motion");
+            let sum = force + friction;
+            let by_force = -speed / (sum * sum);
+            are_near(state.t.by, [by_force, by_force, 1.0 / sum], 1e-8 + tolerance);
+            // x = v²/(2 (F + R)) − (F − R) τ²/2 with τ = 1 s
+            let end = state.t + Gradient::from(1.0);
+            halted.advance(&mut state, end, &mut integrator).expect("a motion");
+            let place = -speed * speed / (2.0 * sum * sum);
+            are_near(state.b().position.x.by, [place + 0.5, place - 0.5, speed / sum], 1e-7 + 10.0 * tolerance);
+        }
+    }
+}
+
+mechanism! {
+    /// A pendulum on a slide that a law moves, which begins and ends with a jump of its acceleration.
+    mechanism Carried {
+        param begin: Time = 0.3s;
+        gravity = (0, -9.81m_s2);
+        body slide { }
+        body bob { mass = 1kg; center = (0m, -1m); }
+        joint rail = translational((1, 0), (0m, 0m), slide.position);
+        joint pivot = revolute(slide.position, bob.position);
+        drive push = drive_x(slide.position, 0.1m * harmonic((t - begin) / 0.2s));
+        freedom swing = bob.angle from 0.1rad;
+    }
+}
+
+/// The speed of the bob has derivatives by the beginning that jump with the acceleration: at the instant itself they are those of one side.
+#[test]
+fn a_sweep_to_the_instant_of_a_jump_has_the_derivatives_of_one_side() {
+    let carried = Carried::default().with_derivatives(|m| [&mut m.begin]);
+    let at = |times: &[f64], tolerance: f64| {
+        let times: Vec<Gradient<f64, 1>> = times.iter().map(|time| (*time).into()).collect();
+        let states = carried.sweep(times, Integrator::new(tolerance.into()));
+        states.map(|state| state.expect("a state").bob().angular_velocity.by[0]).collect::<Vec<f64>>()
+    };
+    let sides = at(&[0.5 - 1e-6, 0.5 + 1e-6], 1e-9);
+    assert!((sides[0] - sides[1]).abs() > 10.0, "{sides:?}");
+    for tolerance in [1e-5, 1e-7, 1e-9] {
+        for times in [&[0.2, 0.5, 0.51][..], &[0.1, 0.3, 0.5], &[0.25, 0.5], &[0.5]] {
+            let found = at(times, tolerance)[times.iter().position(|time| *time == 0.5).expect("the instant")];
+            let off = sides.iter().fold(f64::INFINITY, |least, side| least.min((side - found).abs()));
+            assert!(off < 1e-3, "{found} is none of {sides:?} at {tolerance} with {times:?}");
+        }
+    }
+}
+
+mechanism! {
+    /// A trolley on a spring behind a carriage that a law moves out of rest.
+    mechanism Trailing {
+        param begin: Time = 0.3s;
+        param height: Length = 0.1m;
+        body carriage { mass = 1kg; }
+        body trolley { mass = 1kg; }
+        joint front = translational((1, 0), (0m, 0m), carriage.position);
+        joint rear = translational((1, 0), (0m, 0m), trolley.position);
+        drive push = drive_x(carriage.position, height * harmonic((t - begin) / 0.2s));
+        force spring = {
+            at trolley.position: (-100N_m * (trolley.x - carriage.x), 0N);
+            at carriage.position: (100N_m * (trolley.x - carriage.x), 0N);
+        }
+        freedom follow = trolley.x from 0m;
+    }
+}
+
+/// All is at rest before the law begins, and what moves first is smaller than any tolerance.
+#[test]
+fn derivatives_begin_with_a_law_in_explicit_and_in_implicit_steps() {
+    let end = 0.6;
+    let place = |begin: f64, height: f64| {
+        let (trailing, mut integrator) = (Trailing { begin, height }, Integrator::new(1e-13));
+        let mut state = trailing.initial_state().expect("a state");
+        trailing.advance(&mut state, end, &mut integrator).expect("a motion");
+        state.trolley().position.x
+    };
+    let step = 1e-5;
+    for (begin, height) in [(0.3, 0.1), (0.317, 0.05)] {
+        let by_begin = (place(begin + step, height) - place(begin - step, height)) / (2.0 * step);
+        let by_height = (place(begin, height + step) - place(begin, height - step)) / (2.0 * step);
+        let varied = Trailing { begin, height }.with_derivatives(|m| [&mut m.begin, &mut m.height]);
+        for tolerance in [1e-3, 1e-5, 1e-7] {
+            let [mut explicit, mut implicit] = [(); 2].map(|()| varied.initial_state().expect("a state"));
+            varied.advance(&mut explicit, end.into(), &mut Integrator::new(tolerance.into())).expect("a motion");
+            varied.advance(&mut implicit, end.into(), &mut Integrator::stiff(tolerance.into())).expect("a motion");
+            for state in [explicit, implicit] {
+                let [found, by] = [state.trolley().position.x.by[0] - by_begin, state.trolley().position.x.by[1] - by_height];
+                assert!(found.abs().max(by.abs()) < 1e-6 + tolerance, "{found}, {by} at {tolerance}");
+            }
+        }
+    }
+}

@@ -40,7 +40,7 @@ where
 /// Positions that fulfil the equations stay as they are, to the last bit: an event is zero in them still.
 ///
 /// # Errors
-/// If there are none, or freedoms do not determine them there.
+/// If there are none, or freedoms do not determine them there, and if a parameter is out of its range.
 #[cold]
 #[inline(never)]
 pub fn settle<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
@@ -51,6 +51,7 @@ where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
+    mechanism.validate().map_err(Stopped::ParameterOutOfRange)?;
     let t = state.t;
     let departures = mechanism.departures(&state.q, &state.qd, t);
     let are_numbers = departures.iter().all(|level| are_finite(level.as_slice()));

@@ -7,9 +7,9 @@ use super::looks::{LOOKS, Looks, changes};
 use super::method::Method;
 use super::project::{Reached, complete, refresh};
 use super::quintic::between;
-use super::step::{first_step, is_instant, land};
+use super::step::{first_step, land};
 use super::stopped::Stopped;
-use super::switch::jump_within;
+use super::switch::accelerations_jump;
 use crate::number::Scalar;
 use crate::state::State;
 
@@ -126,11 +126,12 @@ where
 {
     let bare = |instant: &Instant<T, N>| (instant.0.without_derivatives(), instant.1.without_derivatives());
     let (mut low, mut high) = (bare(&before), bare(&after));
-    let (end, mut zeros) = (after.2.clone(), Zeros::Unknown);
+    let mut zeros = Zeros::Unknown;
     let (mut found, mut last, mut slow, mut width) = (after, T::ZERO, 0, high.0 - low.0);
+    let instant = |part: T| (T::EPSILON * (from.t.abs() + (part * whole).abs()) / whole.abs()).without_derivatives();
     // Regula falsi with halved weights (Illinois), and halves where it is slow.
     for _ in 0..SEARCH {
-        let width_of_instant = (T::EPSILON * (from.t.abs() + (high.0 * whole).abs()) / whole.abs()).without_derivatives();
+        let width_of_instant = instant(high.0);
         if high.0 - low.0 <= width_of_instant || matches!(zeros, Zeros::Single) {
             break;
         }
@@ -161,8 +162,9 @@ where
         }
     }
     if T::HAS_DERIVATIVES {
-        let before = jump_within(mechanism, from, &end).filter(|jump| is_instant(from.t + jump.later - found.2.t, found.2.t));
-        return with_derivatives(mechanism, found.2, before.map(|jump| jump.before), event);
+        let earlier = exactly((high.0 - instant(high.0)).max(low.0))?.2;
+        let before = accelerations_jump(mechanism, [&earlier.qdd, &found.2.qdd]).then_some(earlier.qdd);
+        return with_derivatives(mechanism, found.2, before, event);
     }
     Ok(found.2)
 }

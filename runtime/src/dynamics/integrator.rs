@@ -247,6 +247,11 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
         jumps.map(|()| (next, rates))
     }
 
+    /// True if a force may jump within a step: longer ones were tried, or were made before.
+    pub(super) fn may_hide_jump(&self, h: T, is_shortened: bool) -> bool {
+        is_shortened || h.abs() <= T::of(SHORTENED) * self.longest_made
+    }
+
     /// The state after the next accepted step, the rates in its stages, and separately whether a speed jumps within it.
     ///
     /// * `reached`: given, the equations at the end of the step before, if there is one; returned, those at the end of this step.
@@ -291,8 +296,8 @@ impl<T: Scalar, K: Method> Integrator<T, K> {
             let (error, fastest) = error_and_speed;
             if let Ok(Some((mut next, rates))) = tried {
                 keeps_rank::<K, T, S, N, I, M, R>(mechanism, (state, reached.as_ref()), (&next, &there))?;
-                if T::HAS_DERIVATIVES && (is_shortened || h.abs() <= T::of(SHORTENED) * self.longest_made) {
-                    with_derivatives_of_instant(mechanism, state, &mut next, &mut there)?;
+                if T::HAS_DERIVATIVES && self.may_hide_jump(h, is_shortened) {
+                    with_derivatives_of_instant(mechanism, (state, self.longest_made), &mut next, &mut there)?;
                 }
                 *reached = Some(there);
                 (self.accepted, self.fastest) = (self.accepted + 1, fastest);

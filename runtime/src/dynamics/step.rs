@@ -234,7 +234,7 @@ where
     let scale = slowest + (jumped + rounded) / allowed;
     let of_values = error_of_values([&before, &after], &trial.errors, &lengths, (allowed, scale), bends(mechanism, state, trial, h));
     if T::HAS_DERIVATIVES {
-        let of_derivatives = error_of_derivatives(mechanism, state, trial, h, (tolerance, fastest));
+        let of_derivatives = error_of_derivatives(mechanism, state, trial, h, (tolerance, slowest));
         return (of_values.max(of_derivatives), fastest);
     }
     (of_values, fastest)
@@ -278,12 +278,14 @@ fn error_of_values<T: Scalar, const I: usize>(
 /// Estimated error of a step in the derivatives by parameters, relative to the tolerance and to the largest of them.
 ///
 /// Where a force has a kink, values stay smooth enough for long steps, and their derivatives do not.
+///
+/// * `speed`: given, the largest speed so far, or the largest one that counts as none.
 fn error_of_derivatives<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     state: &State<T, N>,
     trial: &Trial<T, N, I>,
     h: T,
-    (tolerance, fastest): (T, T),
+    (tolerance, speed): (T, T),
 ) -> T
 where
     T: Scalar,
@@ -297,7 +299,7 @@ where
     let rates = [picked(&state.qd, &S::INTEGRATED), picked(moving, &S::INTEGRATED)];
     let allowed = T::of(LOOSER * EACH) * tolerance;
     let parameter_size = |parameter: usize| mechanism.parameter_size(parameter);
-    largest_error_of_derivatives((&values, &rates), &trial.errors, &lengths(mechanism), (allowed, h.abs(), fastest), &parameter_size)
+    largest_error_of_derivatives((&values, &rates), &trial.errors, &lengths(mechanism), (allowed, h.abs(), speed), &parameter_size)
 }
 
 /// The error by the parameter by which it is largest.
@@ -305,7 +307,7 @@ fn largest_error_of_derivatives<T: Scalar, const I: usize>(
     (values, rates): (&[[T; I]; 2], &[[T; I]; 2]),
     errors: &[[[T; 2]; I]; 2],
     lengths: &[T; I],
-    (allowed, h, fastest): (T, T, T),
+    (allowed, h, speed): (T, T, T),
     parameter_size: &dyn Fn(usize) -> T,
 ) -> T {
     let largest_value = values.iter().fold(T::of(1.0), |most, values| most.max(largest(values, lengths).without_derivatives()));
@@ -319,7 +321,7 @@ fn largest_error_of_derivatives<T: Scalar, const I: usize>(
         let (of_values, of_rates) = (largest_by(values), largest_by(rates));
         let rounded = T::of(CANCELLED) * T::EPSILON / (allowed * parameter_size(parameter));
         let of_positions = of_values.max(of_rates * h).max(rounded * largest_value);
-        let scales = [of_positions, of_rates.max(rounded * fastest.without_derivatives())];
+        let scales = [of_positions, of_rates.max(rounded * speed.without_derivatives())];
         let (mut first, mut second) = (T::ZERO, T::ZERO);
         for (errors, scale) in errors.iter().zip(scales).filter(|(_, scale)| *scale > T::ZERO) {
             for (errors, length) in errors.iter().zip(lengths) {

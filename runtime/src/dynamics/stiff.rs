@@ -117,7 +117,7 @@ impl Method for Stiff {
         let factors = Factors::new(matrix);
         // By positions and speeds, coordinate and stage.
         let mut found = [[[T::ZERO; STAGES]; I]; 2];
-        let mut end = [q, u];
+        let (mut end, mut there) = ([q, u], a);
         for stage in 0..STAGES {
             let [node, of_time] = times::<T>(stage);
             let at: [T; I] = core::array::from_fn(|k| q[k] + place(stage, &found[0][k]));
@@ -133,7 +133,7 @@ impl Method for Stiff {
                 found[0][k][stage] = part * (right[k] + side[k]);
                 found[1][k][stage] = side[k];
             }
-            end = [at, moving];
+            (end, there) = ([at, moving], rates);
         }
         // The last stage is the difference between the steps of order 4 and 3.
         let last = found.map(|part| part.map(|stages| stages[STAGES - 1]));
@@ -141,8 +141,56 @@ impl Method for Stiff {
         for ((vector, end), last) in vectors.iter_mut().zip(&end).zip(&last) {
             put(vector, &S::INTEGRATED, &core::array::from_fn(|k| end[k] + last[k]));
         }
-        let errors = last.map(|part| part.map(|error| [error, T::ZERO]));
+        let mut errors = last.map(|part| part.map(|error| [error, T::ZERO]));
+        let change: [[T; I]; 2] = [[q, end[0]], [u, end[1]]].map(|[from, to]| core::array::from_fn(|k| to[k] - from[k]));
+        let slopes = Slope { by_position, by_speed, by_time, h };
+        let bent = slopes.bent(&change, (&a, &there), &lengths(mechanism));
+        errors[1].iter_mut().zip(&bent).for_each(|(error, bent)| error[0] = error[0].abs() + bent.abs());
         Ok(Trial { end: vectors, errors, rates: None })
+    }
+}
+
+/// Slopes are those of the whole step if accelerations at its end are what they tell but for this part.
+const STRAIGHT: f64 = 0.1;
+
+/// Derivatives of the accelerations at the beginning of a step of the size `h`.
+struct Slope<T, const I: usize> {
+    by_position: Slopes<T, I>,
+    by_speed: Slopes<T, I>,
+    by_time: [T; I],
+    h: T,
+}
+
+impl<T: Scalar, const I: usize> Slope<T, I> {
+    /// Errors of speeds that steep slopes hide, as those of friction within its transition: where they end within a step, the step and its estimate
+    /// are both made by slopes that hold no longer.
+    ///
+    /// * `change`: given, that of positions and of speeds in the step.
+    /// * `a`, `there`: given, accelerations at the beginning and at the end.
+    fn bent(&self, change: &[[T; I]; 2], (a, there): (&[T; I], &[T; I]), lengths: &[T; I]) -> [T; I] {
+        let part = T::of(GAMMA) * self.h;
+        let told = |k: usize| {
+            let mut told = self.h * self.by_time[k];
+            for column in 0..I {
+                told = told + self.by_position[k][column] * change[0][column] + self.by_speed[k][column] * change[1][column];
+            }
+            told
+        };
+        let told: [T; I] = core::array::from_fn(told);
+        let missing: [T; I] = core::array::from_fn(|k| there[k] - a[k] - told[k]);
+        let sizes = [a, there, &told].map(|vector| largest(vector, lengths));
+        let greatest = sizes[0].max(sizes[1]).max(sizes[2]);
+        if largest(&missing, lengths) <= T::of(STRAIGHT) * greatest {
+            return [T::ZERO; I];
+        }
+        core::array::from_fn(|k| {
+            let mut steep = T::ZERO;
+            for column in 0..I {
+                let slope = self.by_speed[k][column].abs() + part.abs() * self.by_position[k][column].abs();
+                steep = steep + part.abs() * slope * lengths[column] / lengths[k];
+            }
+            part * missing[k] * steep / (T::of(1.0) + steep)
+        })
     }
 }
 

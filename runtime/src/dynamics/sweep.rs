@@ -84,6 +84,12 @@ where
                     self.integrator.next(self.mechanism, state, &mut self.reached, t)?
                 }
             };
+            // Derivatives jump where a force does, and no polynomial leads across: such a step ends at the time, on one side of the jump.
+            let is_within = (t - state.t).abs() < (next.t - state.t).abs() && !is_short;
+            if T::HAS_DERIVATIVES && is_within && before.may_hide_jump(next.t - state.t, self.integrator.rejected > before.rejected) {
+                (self.integrator, self.step, self.reached, is_short) = (before, None, None, true);
+                continue;
+            }
             self.step = match rates {
                 Some(rates) => Some(Dense::new(self.mechanism, state, &next, &rates)?),
                 None => None,

@@ -28,6 +28,9 @@ use crate::state::State;
 /// A smaller change of the largest acceleration is no jump.
 const SMALL: f64 = 1e-5;
 
+/// Times ε over the square of the longest step: a smaller change moves nothing.
+const NONE: f64 = 1e3;
+
 /// Accelerations change smoothly if neither half of an interval has more than this part of the change.
 const SMOOTH: f64 = 0.75;
 
@@ -38,23 +41,39 @@ const GROWTH: f64 = 8.0;
 const HALVINGS: usize = 80;
 
 /// An instant at which accelerations jump.
-pub(super) struct Jump<T, const N: usize> {
+struct Jump<T, const N: usize> {
     /// Time from the beginning of the step, in s.
-    pub(super) later: T,
+    later: T,
     /// Accelerations before it.
-    pub(super) before: SVector<T, N>,
+    before: SVector<T, N>,
     /// Accelerations after it.
-    pub(super) after: SVector<T, N>,
+    after: SVector<T, N>,
     /// The change relative to the largest acceleration.
     share: T,
 }
 
+/// True if the accelerations on both sides of an instant are not the same.
+pub(super) fn accelerations_jump<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    both: [&SVector<T, N>; 2],
+) -> bool
+where
+    T: Scalar,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let lengths = lengths(mechanism);
+    let greatest = both.iter().fold(T::ZERO, |most, vector| most.max(largest(&picked(vector, &S::INTEGRATED), &lengths)));
+    largest_change(both, &S::INTEGRATED, &lengths) > T::of(SMALL) * greatest
+}
+
 /// The jump of accelerations within a step, if there is one. A smooth change divides about evenly between the halves of a step; a jump lies in
 /// one of them.
+///
+/// * `longest`: given, the longest step so far, in s.
 #[inline(never)]
-pub(super) fn jump_within<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+fn jump_within<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
-    from: &State<T, N>,
+    (from, longest): (&State<T, N>, T),
     next: &State<T, N>,
 ) -> Option<Jump<T, N>>
 where
@@ -67,10 +86,13 @@ where
     let greatest = size(&from.qdd).max(size(&next.qdd));
     let step = (next.t - from.t).without_derivatives();
     let shortest = shortest(from, step);
+    let least = (T::of(NONE) * T::EPSILON / (longest * longest)).without_derivatives();
+    // Before the first step nothing is known to be too small.
+    let least = if longest > T::ZERO { least } else { T::ZERO };
     let (mut near, mut far) = ((T::ZERO, from.qdd), (step, next.qdd));
     for _ in 0..HALVINGS {
         let whole = change(&near.1, &far.1);
-        let jumps = whole > T::of(SMALL) * greatest;
+        let jumps = whole > (T::of(SMALL) * greatest).max(least);
         if !jumps {
             return None;
         }
@@ -91,12 +113,12 @@ where
 
 /// Gives the speeds after a jump their derivatives by parameters on which its instant depends.
 ///
-/// * `from`: given, the state before the step.
+/// * `from`, `longest`: given, the state before the step, and the longest step so far.
 /// * `next`: given, the state after it, with the derivatives of a smooth motion; returned, with those of this one.
 #[inline(never)]
 pub(super) fn with_derivatives_of_instant<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
-    from: &State<T, N>,
+    (from, longest): (&State<T, N>, T),
     next: &mut State<T, N>,
     reached: &mut Reached<T, M, I>,
 ) -> Result<(), Stopped<T>>
@@ -104,7 +126,7 @@ where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
-    let Some(jump) = jump_within(mechanism, from, next) else { return Ok(()) };
+    let Some(jump) = jump_within(mechanism, (from, longest), next) else { return Ok(()) };
     let lengths = lengths(mechanism);
     let fastest = largest(&picked(&from.qd, &S::INTEGRATED), &lengths).without_derivatives();
     for number in 0.. {

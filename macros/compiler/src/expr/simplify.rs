@@ -58,6 +58,7 @@ pub const RULES: &[Rule] = &[
     rule("one_is_neutral_in_quotients", "x / 1 = x", identities::divide_by_one),
     rule("zero_absorbs_factors", "0 · x = 0", identities::multiply_by_zero),
     rule("zero_absorbs_divisors", "0 / x = 0, x not 0", identities::divide_zero),
+    rule("roots_of_squares_meet", "√(a² + b²) · √(a² + b²) = a² + b²", identities::square_root_of_squares),
     rule("one_frame_keeps_angles", "A s · A t = s · t, A orthogonal", frames::dot),
     rule("equal_branches_need_no_choice", "a < b ? x : x = x", identities::equal_branches),
     rule("nothing_is_less_than_itself", "x < x ? a : b = b", identities::equal_sides),

@@ -1,6 +1,6 @@
 //! Laws of neutral, absorbing and equal operands.
 
-use crate::expr::{Arena, Binary, Expr, Node};
+use crate::expr::{Arena, Binary, Expr, Node, Unary};
 
 /// Multiplication commutes bit for bit. Constants come first, other factors in the order of their creation.
 pub(super) fn sort_factors(arena: &mut Arena, node: &Node) -> Option<Expr> {
@@ -97,6 +97,25 @@ pub(super) fn equal_sides(_: &mut Arena, node: &Node) -> Option<Expr> {
         return None;
     };
     (lhs == rhs).then_some(otherwise)
+}
+
+/// A length has no derivative where it vanishes, and its square has.
+pub(super) fn square_root_of_squares(arena: &mut Arena, node: &Node) -> Option<Expr> {
+    let &Node::Binary(Binary::Mul, a, b) = node else {
+        return None;
+    };
+    let &Node::Unary(Unary::Sqrt, inner) = arena.node(a) else {
+        return None;
+    };
+    (a == b && is_sum_of_squares(arena, inner)).then_some(inner)
+}
+
+fn is_sum_of_squares(arena: &Arena, expr: Expr) -> bool {
+    match *arena.node(expr) {
+        Node::Binary(Binary::Add, a, b) => is_sum_of_squares(arena, a) && is_sum_of_squares(arena, b),
+        Node::Binary(Binary::Mul, a, b) => a == b,
+        _ => false,
+    }
 }
 
 fn is_zero(arena: &Arena, expr: Expr) -> bool {
