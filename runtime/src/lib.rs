@@ -167,7 +167,7 @@ pub use number::{Float, Real, Scalar, SimdReal, Time, Times};
 #[doc(hidden)]
 pub use path::step_in_part;
 #[doc(hidden)]
-pub use solve::{Commanded, later, parameter_hash};
+pub use solve::{Commanded, later, parameter_hash, parameter_hash_of};
 pub use solve::{Equations, Family, SolverReal, Stages};
 pub use state::{HasState, Motion, MotionWithJerk, PlanarBody, SpatialBody, State, ValueAndRate};
 

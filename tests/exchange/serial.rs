@@ -258,3 +258,76 @@ fn a_failure_is_its_sentence_and_its_facts() -> Outcome {
     assert_eq!(written["cause"].as_object().map(serde_json::Map::len), Some(1));
     Ok(())
 }
+
+reuleaux::constraint! {
+    /// A point above the origin.
+    constraint above(P: Point) { P.x == 0m; }
+}
+
+mechanism! {
+    #[serde]
+    mechanism Hanging {
+        use above;
+        param length: Length = 1m;
+        body rod { point P = (length, 0m); }
+        joint guide = above(rod.P);
+        joint upright = absolute_angle(rod, -90deg);
+        drive lift = drive_y(rod.P, 0.5m * t / 1s);
+    }
+}
+
+/// A definition of one's own is handed over by another macro.
+#[test]
+fn a_mechanism_that_uses_definitions_is_written_and_read() -> Outcome {
+    assert_eq!(from_str::<Hanging>("{}")?.length, 1.0);
+    assert_eq!(to_string(&Hanging::<f64> { length: 2.0 })?, r#"{"length":2.0}"#);
+    Ok(())
+}
+
+/// Two declarations of one mechanism, of which a part at rest has changed.
+macro_rules! resting {
+    ($module:ident, $length:literal) => {
+        mod $module {
+            reuleaux::mechanism! {
+                #[serde]
+                pub(super) mechanism Scene {
+                    param speed: AngularVelocity = 1rad_s;
+                    ground { point C = (400mm, 0mm);  point D = (0mm, 500mm);  point E = (400mm, 500mm); }
+                    body crank { point A = (100mm, 0mm); }
+                    body coupler { point B = (350mm, 0mm); }
+                    body rocker { point B = (300mm, 0mm);  start angle = 70deg; }
+                    body lever { point A = ($length, 0mm); }
+                    body strut { point B = (350mm, 0mm); }
+                    body arm { point B = (300mm, 0mm);  start angle = 70deg; }
+                    joint o = revolute(ground.position, crank.position);
+                    joint a = revolute(crank.A, coupler.position);
+                    joint b = revolute(coupler.B, rocker.B);
+                    joint c = revolute(rocker.position, ground.C);
+                    joint foot = revolute(ground.D, lever.position);
+                    joint held = absolute_angle(lever, 40deg);
+                    joint s = revolute(lever.A, strut.position);
+                    joint r = revolute(strut.B, arm.B);
+                    joint e = revolute(arm.position, ground.E);
+                    drive motor = drive_angle(crank, speed * t);
+                }
+            }
+        }
+    };
+}
+
+resting!(before, 100mm);
+resting!(after, 130mm);
+
+/// It has to be solved again, also where steps leave what is at rest alone.
+#[test]
+fn a_state_of_another_declaration_does_not_count_as_solved() -> Outcome {
+    let written = to_string(&before::Scene::default().solve(1.0)?)?;
+    let (scene, mut state) = (after::Scene::default(), from_str::<after::SceneState>(&written)?);
+    scene.advance(&mut state, 1.5)?;
+    let right = scene.solve(1.5)?.strut().angle;
+    assert!((state.strut().angle - right).abs() < 1e-14, "{}, not {right}", state.strut().angle);
+    // Of the same declaration it does.
+    let same: after::SceneState = from_str(&to_string(&state)?)?;
+    assert_eq!(same, state);
+    Ok(())
+}

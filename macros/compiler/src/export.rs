@@ -57,9 +57,9 @@ struct Beside<'a> {
 }
 
 impl Beside<'_> {
-    /// The tokens handed over for definitions called `own`: theirs, and in braces those of others that their components call, after the name of
-    /// the crate.
-    fn handed(&self, own: &[&Ident], tokens: &TokenStream) -> TokenStream {
+    /// The tokens handed over for definitions called `own`: theirs, behind `bundle` if they are those of one, and in braces those of others that
+    /// their components call, after the name of the crate.
+    fn handed(&self, own: &[&Ident], (bundle, tokens): (Option<TokenStream>, &TokenStream)) -> TokenStream {
         let (mut fellows, mut called) = (TokenStream::new(), called_by_components(tokens));
         let mut pending: Vec<(&Ident, &TokenStream)> = self.all().filter(|(name, _)| !own.contains(name)).collect();
         // A fellow may call others.
@@ -72,7 +72,7 @@ impl Beside<'_> {
         let origin = has_component(tokens)
             .then(|| ["CARGO_PKG_NAME", "CARGO_PKG_VERSION"].map(|name| std::env::var(name).unwrap_or_default()).join(" "));
         let fellows = (!fellows.is_empty()).then(|| quote!({ #fellows }));
-        quote!(#origin #tokens #fellows)
+        quote!(#origin #bundle #tokens #fellows)
     }
 
     fn all(&self) -> impl Iterator<Item = (&Ident, &TokenStream)> {
@@ -102,7 +102,7 @@ pub(crate) fn components(definitions: &Definitions) -> Vec<(&ComponentItem, Toke
             if let Defined::Component(component) = defined {
                 let name = &component.head.name;
                 let tokens = export.members.iter().find(|(member, _)| member == name).map_or(&export.tokens, |(_, tokens)| tokens);
-                found.push((component, beside.handed(&[name], tokens)));
+                found.push((component, beside.handed(&[name], (None, tokens))));
             }
         }
     }
@@ -112,7 +112,8 @@ pub(crate) fn components(definitions: &Definitions) -> Vec<(&ComponentItem, Toke
 fn exported(export: &Export, beside: &Beside) -> TokenStream {
     let Export { docs, visibility, name, tokens, .. } = export;
     let docs = &docs.tokens;
-    let (hidden, macro_) = handing_over(beside, name, &export.own_names(), tokens);
+    let bundle = export.is_bundle.then(|| quote!(bundle));
+    let (hidden, macro_) = handing_over(beside, name, &export.own_names(), (bundle, tokens));
     let members = (!export.members.is_empty()).then(|| members(export, beside));
     quote! {
         #macro_
@@ -125,9 +126,16 @@ fn exported(export: &Export, beside: &Beside) -> TokenStream {
 }
 
 /// The hidden macro that hands tokens over, and its name.
-fn handing_over(beside: &Beside, name: &Ident, own: &[&Ident], tokens: &TokenStream) -> (Ident, TokenStream) {
+///
+/// * `bundle`: given, the word before the definitions of a bundle.
+fn handing_over(
+    beside: &Beside,
+    name: &Ident,
+    own: &[&Ident],
+    (bundle, tokens): (Option<TokenStream>, &TokenStream),
+) -> (Ident, TokenStream) {
     let Beside { export, is_broken, .. } = *beside;
-    let handed = if is_broken { TokenStream::new() } else { at_home(beside.handed(own, tokens)) };
+    let handed = if is_broken { TokenStream::new() } else { at_home(beside.handed(own, (bundle, tokens))) };
     let hidden = format_ident!("__reuleaux_{}_{}", plain(name), fingerprint(export), span = Span::call_site());
     let exported = is_public(export).then(|| quote!(#[macro_export]));
     let macro_ = quote! {
@@ -147,7 +155,7 @@ fn is_public(export: &Export) -> bool {
 /// The definitions of a bundle one by one, in a module of the bundle's name.
 fn members(export: &Export, beside: &Beside) -> TokenStream {
     let Export { visibility, name, .. } = export;
-    let handed = export.members.iter().map(|(member, tokens)| (member, handing_over(beside, member, &[member], tokens)));
+    let handed = export.members.iter().map(|(member, tokens)| (member, handing_over(beside, member, &[member], (None, tokens))));
     let (macros, uses): (Vec<TokenStream>, Vec<TokenStream>) = handed
         .map(|(member, (hidden, macro_))| {
             let visibility = if is_public(export) { quote!(pub) } else { quote!(pub(crate)) };

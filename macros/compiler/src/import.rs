@@ -34,7 +34,7 @@ pub(crate) fn imported(tree: &Mechanism, known: TokenStream, diag: &mut Diag) ->
     let mut all = Imported::default();
     for (name, tokens) in entries(known) {
         let mut handed = syntax::parse_exported(tokens, diag).unwrap_or_default();
-        let is_single = handed.iter().filter(|one| one.is_named).count() == 1;
+        let is_single = handed.iter().filter(|one| one.is_named && !one.is_of_bundle).count() == 1;
         if is_single && let Some(single) = handed.first().filter(|single| !is_of(&single.defined, tree.ambient)) {
             let word = plain(&single.defined.head().name);
             diag.refuse::<()>(&name, ValueFact::only_elsewhere(word, None, tree.ambient));
@@ -43,7 +43,7 @@ pub(crate) fn imported(tree: &Mechanism, known: TokenStream, diag: &mut Diag) ->
         handed.retain(|one| is_of(&one.defined, tree.ambient));
         let before = diag.refusals().len();
         let mut home = ComponentHome::default();
-        for Handed { defined, tokens, is_named, origin } in handed {
+        for Handed { defined, tokens, is_named, origin, .. } in handed {
             let own = plain(&defined.head().name);
             let is_single = is_named && is_single;
             let called = Called { used: &name, word: if is_single { plain(&name) } else { own.clone() }, is_single };

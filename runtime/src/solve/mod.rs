@@ -23,4 +23,4 @@ pub(crate) use real::lengths_of;
 pub use real::{ColdStart, NoColdStart, SolverReal};
 pub use solver::Solver;
 pub(crate) use solver::{StepReport, largest_alone};
-pub use stages::{Stages, parameter_hash};
+pub use stages::{Stages, parameter_hash, parameter_hash_of};

@@ -121,7 +121,13 @@ const MOST: usize = 256;
 /// A hash of all bits of the parameters (Fowler, Noll and Vo, by words); never 0.
 #[doc(hidden)]
 pub fn parameter_hash<T: Scalar>(parameters: &[T]) -> u64 {
-    let hash = parameters.iter().fold(0xcbf2_9ce4_8422_2325_u64, |hash, parameter| {
+    parameter_hash_of(0, parameters)
+}
+
+/// The same together with a hash of the declaration.
+#[doc(hidden)]
+pub fn parameter_hash_of<T: Scalar>(declaration: u64, parameters: &[T]) -> u64 {
+    let hash = parameters.iter().fold(0xcbf2_9ce4_8422_2325_u64 ^ declaration, |hash, parameter| {
         let mixed = (hash ^ parameter.bits()).wrapping_mul(0x0000_0100_0000_01b3);
         mixed ^ (mixed >> 29)
     });

@@ -45,10 +45,11 @@ use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 use state::Accessors;
 
-/// A name of the user as an identifier; raw ones stay raw.
+/// A name of the user as an identifier; words of Rust are raw.
 pub(crate) fn identifier(name: &str) -> Ident {
     match name.strip_prefix("r#") {
         Some(raw) => Ident::new_raw(raw, Span::call_site()),
+        None if syn::parse_str::<Ident>(name).is_err() || name == "gen" => Ident::new_raw(name, Span::call_site()),
         None => Ident::new(name, Span::call_site()),
     }
 }
@@ -75,7 +76,7 @@ pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: 
     let state = (model.task.is_determined() || !model.outputs.is_empty()).then(|| state(model, system));
     let (drawable, listing, points, dynamics) = (emitter.drawable(), emitter.listing(), emitter.points(), emitter.dynamics());
     let (name, allowed, loads) = (&model.name, allowed_at_places(), emitter.loads());
-    quote! {
+    let code = quote! {
         #default
         #allowed
         impl<T: ::reuleaux::Real> #name<T> {
@@ -103,6 +104,20 @@ pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: 
         #components
         #structure
         #(#warnings)*
+    };
+    let declaration = model.requests.serde.as_ref().map(|_| declaration(name, &code));
+    quote!(#code #declaration)
+}
+
+/// A hash of the generated code (Fowler, Noll and Vo): a state that another declaration solved for counts as unsolved.
+fn declaration(name: &Ident, code: &TokenStream) -> TokenStream {
+    let hash =
+        code.to_string().bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3));
+    let hash = Literal::u64_unsuffixed(hash);
+    quote! {
+        impl<T> #name<T> {
+            const __DECLARATION: ::core::primitive::u64 = #hash;
+        }
     }
 }
 

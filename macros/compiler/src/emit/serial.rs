@@ -1,6 +1,6 @@
 //! Attributes by which generated structs are serialised, for `#[serde]`.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{quote, quote_spanned};
 
 /// The longest array that serde reads and writes by itself.
@@ -11,7 +11,9 @@ const LONGEST_ARRAY: usize = 32;
 pub(super) fn derived(word: Option<&Ident>, defaults: Option<&Ident>) -> TokenStream {
     let Some(word) = word else { return quote!() };
     let default = defaults.map(|name| {
-        let path = format!("{name}::with_defaults");
+        // What serde declares at the place of the path it reads at that of the word `serde`. A mechanism with `use` items is written by another macro.
+        let mut path = Literal::string(&format!("{name}::with_defaults"));
+        path.set_span(word.span());
         quote_spanned!(word.span()=> , default = #path)
     });
     quote_spanned! {word.span()=>

@@ -139,14 +139,18 @@ impl Emitter<'_> {
         }
     }
 
-    /// The hash of all parameters.
+    /// The hash of all parameters; where states are read and written, also of the declaration.
     pub(super) fn parameter_hash(&self) -> TokenStream {
         let words = Words::new(self.model, self.system);
         // Unknowns that depend on inputs of a state move.
         let moving = if self.model.holds_inputs() { self.model.of_inputs() } else { BTreeSet::new() };
         let is_meant = |number: &usize| !moving.contains(number);
         let all = (0..self.model.parameters.len()).filter(is_meant).map(|number| named(&words.parameter(number as u32)));
-        quote!(::reuleaux::parameter_hash::<T>(&[#(#all),*]))
+        let name = &self.model.name;
+        match &self.model.requests.serde {
+            Some(_) => quote!(::reuleaux::parameter_hash_of::<T>(#name::<T>::__DECLARATION, &[#(#all),*])),
+            None => quote!(::reuleaux::parameter_hash::<T>(&[#(#all),*])),
+        }
     }
 
     /// A guess improved with all equations

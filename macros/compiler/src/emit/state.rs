@@ -6,6 +6,7 @@ use super::parameters::{apart, holders};
 use super::{allowed_at_places, docs, docs_or, placed, state_name};
 use crate::model::{Field, Layout, Of, Part};
 use crate::quantity::Ambient;
+use crate::syntax::plain;
 use crate::system::COSINES;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -50,7 +51,7 @@ impl<'a> Accessors<'a> {
     /// The view of a component's part, `WalkerStateLeg`.
     fn view(&self, component: usize) -> Ident {
         let name = self.layout.components[component].name.as_ref();
-        let name = name.map(|name| format!("{}{name}", apart(name))).unwrap_or_default();
+        let name = name.map(|name| format!("{}{}", apart(name), plain(name))).unwrap_or_default();
         format_ident!("{}State{}", self.mechanism, name)
     }
 

@@ -13,6 +13,7 @@ use crate::names::{
 };
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Argument, Definition, Formal, FormalKind, JointBody};
+use crate::syntax::plain;
 use proc_macro2::Ident;
 use std::rc::Rc;
 
@@ -92,7 +93,7 @@ impl Elaborator<'_> {
     /// Source range of the first argument of a joint that depends on time.
     pub(super) fn time_dependent_argument(&mut self, id: EntityId, joint: &ast::JointItem) -> Option<Range> {
         let JointBody::Of { kind, arguments } = &joint.body else { return None };
-        let definition = self.known_definition(&kind.to_string())?;
+        let definition = self.known_definition(&plain(kind))?;
         let Value::Joint { arguments: bound, .. } = self.entity(id, (&joint.name).into())? else { return None };
         let is_time_dependent = |name: &String| {
             let value = bound.iter().find(|(known, _)| known == name).map(|(_, value)| value);
@@ -102,7 +103,7 @@ impl Elaborator<'_> {
     }
 
     pub(super) fn definition(&mut self, kind: &Ident) -> Option<Rc<Definition>> {
-        let word = kind.to_string();
+        let word = plain(kind);
         if let Some(definition) = self.known_definition(&word) {
             return Some(definition);
         }

@@ -14,6 +14,7 @@ use crate::names::{
 };
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Item, Marks};
+use crate::syntax::plain;
 use proc_macro2::Ident;
 use std::rc::Rc;
 
@@ -38,7 +39,7 @@ impl Elaborator<'_> {
 
     fn component(&mut self, component: &ast::Shared<ast::ComponentItem>) {
         let name = &component.head.name;
-        let word = name.to_string();
+        let word = plain(name);
         if hints::is_of_generated_type(&word) {
             self.diag.refuse::<()>(name, ArrayFact::GeneratedType { name: word.clone() });
             self.names.components.entry(word).or_insert_with(|| component.clone());
@@ -313,7 +314,7 @@ impl Elaborator<'_> {
 
     /// Component of a part. Reports an unknown name, and returns the component that was probably meant.
     fn component_called(&mut self, part: &ast::Shared<ast::PartItem>, space: SpaceId) -> Option<ast::Shared<ast::ComponentItem>> {
-        let word = part.kind.to_string();
+        let word = plain(&part.kind);
         if let Some(component) = self.names.components_in(space).get(&word) {
             return Some(component.clone());
         }

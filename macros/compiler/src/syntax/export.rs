@@ -28,11 +28,15 @@ pub(super) fn definitions(input: ParseStream, diag: &mut Diag) -> Option<Definit
     Some(Definitions { exports })
 }
 
-/// Definitions as handed over by an exported name: its own, and in braces those that its components call. If there are components, the name of
-/// their crate stands first.
+/// Definitions as handed over by an exported name: its own, behind `bundle` if it is the name of one, and in braces those that its components call.
+/// If there are components, the name of their crate stands first.
 pub(super) fn exported(input: ParseStream, diag: &mut Diag) -> Option<Vec<Handed>> {
     let mut handed = Vec::new();
     let origin = input.parse::<LitStr>().map_or_else(|_| String::new(), |origin| origin.value());
+    let is_of_bundle = keyword(input).is_some_and(|word| word == "bundle");
+    if is_of_bundle {
+        input.parse::<Ident>().ok()?;
+    }
     while !input.is_empty() {
         if input.peek(token::Brace) {
             let content = report(block(input, "`{`"), diag)?;
@@ -42,7 +46,13 @@ pub(super) fn exported(input: ParseStream, diag: &mut Diag) -> Option<Vec<Handed
         }
         let begin = input.fork();
         let defined = report(defined(input, diag), diag)?;
-        handed.push(Handed { defined, tokens: report(between(&begin, input), diag)?, is_named: true, origin: origin.clone() });
+        handed.push(Handed {
+            defined,
+            tokens: report(between(&begin, input), diag)?,
+            is_named: true,
+            is_of_bundle,
+            origin: origin.clone(),
+        });
     }
     Some(handed)
 }

@@ -233,7 +233,9 @@ fn scope(content: ParseStream) -> syn::Result<()> {
         content.parse::<Token![in]>()?;
         return path(content).map(|_| ()).map_err(|refusal| refusal.to_error());
     }
-    if content.peek(Token![crate]) || content.peek(Token![self]) || content.peek(Token![super]) {
+    // The crate of a definition that is handed over is `$crate`.
+    let is_handed = content.cursor().ident().is_some_and(|(word, _)| word == "$crate");
+    if is_handed || content.peek(Token![crate]) || content.peek(Token![self]) || content.peek(Token![super]) {
         return content.call(Ident::parse_any).map(|_| ());
     }
     Err(content.error("expected `crate`, `self`, `super` or `in path`"))

@@ -58,6 +58,8 @@ pub struct Handed {
     pub tokens: TokenStream,
     /// True if the name handed over stands for it, false if a component handed over calls it.
     pub is_named: bool,
+    /// True if the name handed over is that of a bundle.
+    pub is_of_bundle: bool,
     /// The crate of the definition, if there are components among those handed over.
     pub origin: String,
 }
