@@ -115,7 +115,8 @@ mechanism! {
         joint o = revolute(ground.position, wheel.position);
         joint p = revolute(ground.position, jumper.position);
         drive turning = drive_angle(wheel, speed * t);
-        drive jumping = drive_angle(jumper, if t < 1s { 0deg } else { 90deg });
+        let later = 90deg;
+        drive jumping = drive_angle(jumper, if t < 1s { 0deg } else { later });
     }
 }
 

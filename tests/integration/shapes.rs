@@ -410,7 +410,8 @@ of_four_bars! {
     Switch {
         ground { point O = (0m, 0m); point C = (400mm, 0m); point P = (1m, 0m); point Q = (1400mm, 0m); }
         part set = FourBar(ground.O, ground.C);
-        drive position = drive_angle(set.crank, if t < 0.5s { 20deg } else { 24deg });
+        let later = 24deg;
+        drive position = drive_angle(set.crank, if t < 0.5s { 20deg } else { later });
         part still = FourBar(ground.P, ground.Q);
         drive hold = drive_angle(still.crank, 20deg);
         body wheel { }

@@ -169,12 +169,10 @@ impl<T: Scalar, const I: usize> Slope<T, I> {
     /// * `a`, `there`: given, accelerations at the beginning and at the end.
     fn bent(&self, change: &[[T; I]; 2], (a, there): (&[T; I], &[T; I]), lengths: &[T; I]) -> [T; I] {
         let part = T::of(GAMMA) * self.h;
+        let [of_positions, of_speeds] = change;
         let told = |k: usize| {
-            let mut told = self.h * self.by_time[k];
-            for column in 0..I {
-                told = told + self.by_position[k][column] * change[0][column] + self.by_speed[k][column] * change[1][column];
-            }
-            told
+            let terms = self.by_position[k].iter().zip(of_positions).chain(self.by_speed[k].iter().zip(of_speeds));
+            terms.fold(self.h * self.by_time[k], |told, (slope, change)| told + *slope * *change)
         };
         let told: [T; I] = core::array::from_fn(told);
         let missing: [T; I] = core::array::from_fn(|k| there[k] - a[k] - told[k]);

@@ -265,7 +265,9 @@ fn jump_of_drive(item: &Item) -> Option<Warning> {
     let flaw = format!("the drive jumps from {from} to {to} at t = {instant}, and no body moves so");
     let height = if number(from)? == 0.0 { to.to_string() } else { format!("({to} - {from})") };
     let begin = if number(from)? == 0.0 { String::new() } else { format!("{from} + ") };
-    let help = format!("lead from one to the other, such as by `{begin}{height} * cycloidal((t - {instant}) / 0.5s)`");
+    let help = format!(
+        "lead from one to the other, such as by `{begin}{height} * cycloidal((t - {instant}) / 0.5s)`; if it is meant, name a number with `let`"
+    );
     Some(Warning { doubt: unlikely("jump_of_drive", flaw, help), range: law.range })
 }
 
