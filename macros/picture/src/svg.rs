@@ -323,7 +323,7 @@ fn length(metres: f64) -> String {
 }
 
 fn escaped(text: &str) -> String {
-    // XML has no control characters.
+    // XML has no other control characters.
     let text = text.replace(|letter: char| letter.is_control() && letter != '\n' && letter != '\t', " ");
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -126,7 +126,7 @@ where
 {
     let bare = |instant: &Instant<T, N>| (instant.0.without_derivatives(), instant.1.without_derivatives());
     let (mut low, mut high) = (bare(&before), bare(&after));
-    let mut zeros = Zeros::Unknown;
+    let (end, mut zeros) = (after.2.qdd, Zeros::Unknown);
     let (mut found, mut last, mut slow, mut width) = (after, T::ZERO, 0, high.0 - low.0);
     let instant = |part: T| (T::EPSILON * (from.t.abs() + (part * whole).abs()) / whole.abs()).without_derivatives();
     // Regula falsi with halved weights (Illinois), and halves where it is slow.
@@ -163,7 +163,7 @@ where
     }
     if T::HAS_DERIVATIVES {
         let earlier = exactly((high.0 - instant(high.0)).max(low.0))?.2;
-        let before = accelerations_jump(mechanism, [&earlier.qdd, &found.2.qdd]).then_some(earlier.qdd);
+        let before = accelerations_jump(mechanism, [&earlier.qdd, &found.2.qdd], [&from.qdd, &end]).then_some(earlier.qdd);
         return with_derivatives(mechanism, found.2, before, event);
     }
     Ok(found.2)

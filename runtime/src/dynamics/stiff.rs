@@ -145,7 +145,7 @@ impl Method for Stiff {
         let change: [[T; I]; 2] = [[q, end[0]], [u, end[1]]].map(|[from, to]| core::array::from_fn(|k| to[k] - from[k]));
         let slopes = Slope { by_position, by_speed, by_time, h };
         let bent = slopes.bent(&change, (&a, &there), &lengths(mechanism));
-        errors[1].iter_mut().zip(&bent).for_each(|(error, bent)| error[0] = error[0].abs() + bent.abs());
+        errors[1].iter_mut().zip(&bent).for_each(|(error, bent)| error[0] = error[0].abs() + bent.without_derivatives().abs());
         Ok(Trial { end: vectors, errors, rates: None })
     }
 }
@@ -270,8 +270,16 @@ impl<T: Scalar, S, const N: usize, const I: usize, const M: usize> MotionAt<'_, 
         S: Dynamics<T, N, I, M, R>,
     {
         let increment = T::ROOT_EPSILON * t.abs().max(h.abs());
-        let crosses = S::FORCES_HAVE_KINKS && self.sides(motion, t) != self.sides(motion, t + increment);
-        let after = if crosses { t - increment } else { t + increment };
+        let mut after = t + increment;
+        if S::FORCES_HAVE_KINKS {
+            let sides = self.sides(motion, t);
+            if self.sides(motion, after) != sides {
+                after = t - increment;
+                if self.sides(motion, after) != sides {
+                    return Ok([T::ZERO; I]);
+                }
+            }
+        }
         let there = self.at(motion, after)?;
         Ok(core::array::from_fn(|k| (there[k] - here[k]) / (after - t)))
     }

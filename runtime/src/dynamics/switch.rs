@@ -29,7 +29,7 @@ use crate::state::State;
 const SMALL: f64 = 1e-5;
 
 /// Times ε over the square of the longest step: a smaller change moves nothing.
-const NONE: f64 = 1e3;
+const NEGLIGIBLE: f64 = 1e3;
 
 /// Accelerations change smoothly if neither half of an interval has more than this part of the change.
 const SMOOTH: f64 = 0.75;
@@ -53,17 +53,21 @@ struct Jump<T, const N: usize> {
 }
 
 /// True if the accelerations on both sides of an instant are not the same.
+///
+/// * `ends`: given, accelerations at both ends of the step, with which the difference is compared: at the instant they may pass through zero.
 pub(super) fn accelerations_jump<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
-    both: [&SVector<T, N>; 2],
+    sides: [&SVector<T, N>; 2],
+    ends: [&SVector<T, N>; 2],
 ) -> bool
 where
     T: Scalar,
     S: Dynamics<T, N, I, M, R>,
 {
     let lengths = lengths(mechanism);
-    let greatest = both.iter().fold(T::ZERO, |most, vector| most.max(largest(&picked(vector, &S::INTEGRATED), &lengths)));
-    largest_change(both, &S::INTEGRATED, &lengths) > T::of(SMALL) * greatest
+    let all = sides.iter().chain(&ends);
+    let greatest = all.fold(T::ZERO, |most, vector| most.max(largest(&picked(vector, &S::INTEGRATED), &lengths)));
+    largest_change(sides, &S::INTEGRATED, &lengths) > T::of(SMALL) * greatest
 }
 
 /// The jump of accelerations within a step, if there is one. A smooth change divides about evenly between the halves of a step; a jump lies in
@@ -86,7 +90,7 @@ where
     let greatest = size(&from.qdd).max(size(&next.qdd));
     let step = (next.t - from.t).without_derivatives();
     let shortest = shortest(from, step);
-    let least = (T::of(NONE) * T::EPSILON / (longest * longest)).without_derivatives();
+    let least = (T::of(NEGLIGIBLE) * T::EPSILON / (longest * longest)).without_derivatives();
     // Before the first step nothing is known to be too small.
     let least = if longest > T::ZERO { least } else { T::ZERO };
     let (mut near, mut far) = ((T::ZERO, from.qdd), (step, next.qdd));

@@ -32,6 +32,7 @@ reuleaux::mechanism! {
         part r#in = r#trait((1m, 0m));
         for i in 0..1 { drive d[i] = drive_angle(b, 1rad_s * t); }
         drive d_0 = drive_angle(c, 2rad_s * t);
+        force turning = { on c: 3Nm; }
     }
 }
 
@@ -43,5 +44,6 @@ fn main() {
     assert!((loads.r#do().force.y - 10.0).abs() < 1e-14);
     let held = Held::default();
     let loads = held.loads(&held.solve(0.0).unwrap());
-    assert_eq!((loads.d_0().effort, loads.d_0_().effort), (0.0, 0.0));
+    // What is called so keeps the name.
+    assert_eq!((loads.d_0().effort, loads.d_0_().effort), (-3.0, 0.0));
 }

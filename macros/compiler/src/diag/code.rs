@@ -46,7 +46,7 @@ codes! {
         Motion::PlaceWithoutAt Motion::StartWithEquals Motion::FreedomWithoutName Motion::DriveWithoutName Grammar::OneEqualsSign
         Grammar::HashComment Grammar::CommaAtEnd Grammar::DecimalComma Grammar::OutputWithoutName Grammar::OutputWithDimension
         Grammar::TwoConditions Grammar::ComparisonAsValue Grammar::ConditionInParentheses Grammar::NumberBeforeParentheses Grammar::OutputInUnit Grammar::ArrayOfDimension
-        Grammar::ComparisonOutside Grammar::ForceBeforePlace Grammar::StraySemicolon Grammar::BodyWithoutBraces Grammar::WithoutEquals Grammar::ParameterWithoutDimension Grammar::Return Grammar::Misspelt Grammar::BoundsElsewhere;
+        Grammar::ComparisonOutside Grammar::ForceBeforePlace Grammar::Stray Grammar::BodyWithoutBraces Grammar::WithoutEquals Grammar::ParameterWithoutDimension Grammar::Return Grammar::Misspelt Grammar::BoundsElsewhere;
     E0002: Grammar::NotANumber;
     E0003: Grammar::TooDeep Grammar::TooLong Grammar::LongChain Grammar::PartsTooDeep;
     E0004: Grammar::Keyword;

@@ -53,7 +53,7 @@ pub(super) fn of_kind(wanted: &Wanted, found: &Kind, ambient: Ambient) -> &'stat
         (Wanted::Axis, Kind::Number) if is_plane => "\nhelp: write `(1, 0)` for the direction of x",
         (Wanted::Axis, _) if !is_plane => "\nhelp: write `(1, 0, 0)` for the direction of x",
         (Wanted::NumberVectorOrPoint, Kind::Orientation) => {
-            "\nhelp: what turns has a `body.angular_velocity`, an angle `rate(joint.angle)`"
+            "\nhelp: write `body.angular_velocity`, or `rate(joint.angle)` for the rate of one angle"
         }
         (Wanted::Body, Kind::Number) => "\nhelp: write the name of a body, or `ground`",
         (Wanted::NumberOrVector, Kind::Orientation) => {
@@ -154,6 +154,7 @@ pub(super) fn of_equation(one: &Kind, two: &Kind, ambient: Ambient) -> &'static 
 /// For a quantity of another dimension than the one that is wanted.
 pub(super) fn of_dimension(wanted: Dim, found: Dim) -> &'static str {
     match (wanted, found) {
+        (Dim::NUMBER, Dim::ANGLE) => "\nhelp: divide it by an angle, as in `x / 90deg`",
         (Dim::NUMBER, Dim::TIME) => "\nhelp: divide it by a time, as in `t / 1s`",
         (_, found) if found.is_of_time() => of_dimensions(wanted, found),
         (Dim::INERTIA, Dim::MASS) => {
@@ -210,8 +211,7 @@ fn example(wanted: Dim) -> &'static str {
 pub(super) fn of_function(wanted: Dim, found: Dim) -> &'static str {
     match found {
         Dim::LENGTH => "\nhelp: divide it by a length, as in `x / 10mm`",
-        Dim::ANGLE => "\nhelp: divide it by an angle, as in `x / 90deg`",
-        found if found.is_of_time() => of_dimension(wanted, found),
+        found if found.is_of_time() || found == Dim::ANGLE => of_dimension(wanted, found),
         _ => "",
     }
 }
@@ -236,9 +236,11 @@ pub(super) fn of_dimensions(one: Dim, two: Dim) -> &'static str {
     match (one, two) {
         (Dim::LENGTH, Dim::ANGLE) | (Dim::ANGLE, Dim::LENGTH) => "\nhelp: an arc is a radius times an angle",
         (found, Dim::FORCE) | (Dim::FORCE, found) if Dim::FORCE.per(Dim::LENGTH).per(Dim::LENGTH) == found => {
-            "\nhelp: a force is a pressure by an area, such as `5bar * 20cm2`"
+            "\nhelp: a force is a pressure times an area, such as `5bar * 20cm2`"
         }
-        (Dim::MASS, Dim::FORCE) | (Dim::FORCE, Dim::MASS) => "\nhelp: a weight is a mass by `9.81m_s2`; `gravity` adds those of all bodies",
+        (Dim::MASS, Dim::FORCE) | (Dim::FORCE, Dim::MASS) => {
+            "\nhelp: a weight is a mass times `9.81m_s2`; `gravity` adds those of all bodies"
+        }
         (Dim::NUMBER, Dim::LENGTH) | (Dim::LENGTH, Dim::NUMBER) => "\nhelp: give the number a unit, such as `20mm`",
         _ => "",
     }

@@ -253,7 +253,7 @@ pub enum Doubt {
         /// Teeth or radius of the sun gear.
         sun: String,
     },
-    /// An expression that is rather meant otherwise.
+    /// An expression that probably means something else.
     Unlikely {
         /// Name of the warning.
         name: &'static str,

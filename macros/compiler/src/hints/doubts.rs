@@ -229,8 +229,17 @@ fn arguments_of(item: &Item) -> Vec<String> {
         Item::Function(function) => function.argument.iter().map(ToString::to_string).collect(),
         Item::For(repeated) => vec![repeated.variable.to_string()],
         Item::Let(binding) => vec![binding.name.to_string()],
+        Item::Joint(joint) | Item::Force(joint) => match &joint.body {
+            JointBody::Equations(statements) => statements.iter().filter_map(named).collect(),
+            _ => Vec::new(),
+        },
         _ => Vec::new(),
     }
+}
+
+/// The name that a statement declares.
+fn named(statement: &Statement) -> Option<String> {
+    if let Statement::Let(binding) = statement { Some(binding.name.to_string()) } else { None }
 }
 
 /// The name in `rate(name)`.
@@ -262,11 +271,13 @@ fn jump_of_drive(item: &Item) -> Option<Warning> {
     if !kind.to_string().starts_with("drive_") || number(from)? == number(to)? {
         return None;
     }
-    let flaw = format!("the drive jumps from {from} to {to} at t = {instant}, and no body moves so");
+    let flaw = format!("the drive jumps from {from} to {to} at t = {instant}, and no body can move like that");
+    let is_simple = matches!(instant.kind, ExpressionKind::Number { .. } | ExpressionKind::Path(_));
+    let instant = if is_simple { instant.to_string() } else { format!("({instant})") };
     let height = if number(from)? == 0.0 { to.to_string() } else { format!("({to} - {from})") };
     let begin = if number(from)? == 0.0 { String::new() } else { format!("{from} + ") };
     let help = format!(
-        "lead from one to the other, such as by `{begin}{height} * cycloidal((t - {instant}) / 0.5s)`; if it is meant, name a number with `let`"
+        "move from one to the other gradually, for example with `{begin}{height} * cycloidal((t - {instant}) / 0.5s)`; if it is meant, name a number with `let`"
     );
     Some(Warning { doubt: unlikely("jump_of_drive", flaw, help), range: law.range })
 }

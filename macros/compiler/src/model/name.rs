@@ -65,6 +65,18 @@ impl Name {
         Name { local: format!("{}_on_{}", self.local, body.local), ..self.clone() }
     }
 
+    /// Gives names identifiers of their own, where those of `leg[0]` and `leg_0` would be the same: what is written as its identifier keeps it, and the
+    /// other one has `_` after it.
+    pub(crate) fn tell_apart(names: Vec<&mut Name>) {
+        let is_written = |name: &Name| name.path.trim_start_matches("r#") == name.local;
+        let mut taken: BTreeSet<String> = names.iter().filter(|name| is_written(name)).map(|name| name.local.clone()).collect();
+        for name in names.into_iter().filter(|name| !is_written(name)) {
+            while !taken.insert(name.local.clone()) {
+                name.local.push('_');
+            }
+        }
+    }
+
     /// A name in a namespace whose paths begin with `prefix`.
     pub(crate) fn within(prefix: &str, word: &Ident, declaration: usize, indices: &[usize]) -> Name {
         let mut name = Name { declaration, indices: indices.to_vec(), ..Name::plain(word) };

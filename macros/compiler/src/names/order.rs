@@ -57,14 +57,15 @@ pub(crate) fn completed(names: &Names, definition: &Definition, given: &[(usize,
             (None, FormalKind::Body | FormalKind::Point) => {
                 let is_body = matches!(formal.kind, FormalKind::Body);
                 let other = given.iter().find(|(place, _)| is_like(*place)).and_then(|(_, one)| names.beside(one));
+                let is_ground = other.is_none();
                 let other = other.unwrap_or("ground".to_owned());
-                let ground = if is_body { other } else { format!("{other}.position") };
+                let added = if is_body { other } else { format!("{other}.position") };
                 let place = written.len() - usize::from(is_beside);
                 // Two of ground are one too many.
                 if is_beside && is_of_ground(&written[place]) {
                     return None;
                 }
-                written.insert(if ground.starts_with("ground") { place } else { written.len() }, ground);
+                written.insert(if is_ground { place } else { written.len() }, added);
             }
             (None, FormalKind::Axis) if names.ambient == Ambient::Plane => {
                 let beside = written.last().and_then(|point| names.axis_beside(point));

@@ -8,7 +8,6 @@ use crate::expr::{Arena, Expr, Members, Node, Unary};
 use crate::model::{Model, Name};
 use crate::quantity::Ambient;
 use crate::system::{LoadEquations, System};
-use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// Code of the loads, each routine with its results in the order stated.
@@ -132,13 +131,7 @@ fn named(model: &Model, equations: &LoadEquations, loads: &Loads) -> Vec<NamedLo
         named.push(NamedLoad { name, kind, multipliers: first..first, actions: at..at + push.len(), is_slice, alone: None });
         at += push.len();
     }
-    // `mesh[0]` and `mesh_0` would have one method.
-    let mut taken = BTreeSet::new();
-    for load in &mut named {
-        while !taken.insert(load.name.local.clone()) {
-            load.name.local.push('_');
-        }
-    }
+    Name::tell_apart(named.iter_mut().map(|load| &mut load.name).collect());
     named
 }
 

@@ -132,7 +132,10 @@ fn add<'a>(work: &mut impl Valuer, program: &mut Program<'a>, item: &'a ast::Exp
         _ => return work.reject(word.into(), ValueFact::NotASegment),
     };
     if let [height, duration, law] = arguments.as_slice()
-        && let (Some(Dim::ANGLE | Dim::TIME), Some(Dim::LENGTH)) = (of_literal(height), of_literal(duration))
+        && let (Some(first), Some(second)) = (of_literal(height), of_literal(duration))
+        && program.x.measure == InferredDim::Known(first)
+        && program.measure == InferredDim::Known(second)
+        && first != second
     {
         let instead = format!("{word}({duration}, {height}, {law})");
         return work.reject(item.range, GrammarFact::Misspelt { flaw: "the height of a segment comes first", instead });

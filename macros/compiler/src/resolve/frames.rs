@@ -10,7 +10,6 @@ use crate::names::{Context, EntityId, Fixed, FixedValue, FrameId, FrameScope, Ke
 use crate::quantity::{Ambient, Dim, InferredDim, Role};
 use crate::syntax::ast;
 use crate::words::nearest;
-use std::collections::BTreeSet;
 
 impl Elaborator<'_> {
     /// Adds a frame with new coordinates.
@@ -110,13 +109,7 @@ impl Elaborator<'_> {
             body.first = next;
             next += body.coordinates.len();
         }
-        // `leg[0]` and `leg_0` would get the same name in generated code.
-        let mut taken = BTreeSet::new();
-        for body in &mut bodies {
-            while !taken.insert(body.name.local.clone()) {
-                body.name.local.push('_');
-            }
-        }
+        Name::tell_apart(bodies.iter_mut().map(|body| &mut body.name).collect());
         bodies
     }
 

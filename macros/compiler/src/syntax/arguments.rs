@@ -14,9 +14,10 @@ pub(super) fn arguments(input: ParseStream) -> Parsed<Vec<Argument>> {
     let mut arguments = Vec::new();
     while !content.is_empty() {
         arguments.push(argument(&content)?);
-        let value = arguments.last().map(|argument: &Argument| &argument.value);
-        if let Some(value) = value {
-            no_equation(&content, value)?;
+        if let Some(Argument { name, value }) = arguments.last() {
+            if name.is_none() {
+                no_equation(&content, value)?;
+            }
             no_word_behind(&content, value)?;
         }
         comma(&content, "`,` or `)`")?;
@@ -33,7 +34,7 @@ fn no_equation(input: ParseStream, value: &Expression) -> Parsed<()> {
     ahead.parse::<Token![==]>()?;
     let other = expression(&ahead)?;
     let instead = format!("{value}, {other}");
-    wrong(value.range.to(other.range), GrammarFact::Misspelt { flaw: "arguments have a comma between them", instead })
+    wrong(value.range.to(other.range), GrammarFact::Misspelt { flaw: "arguments are separated by commas", instead })
 }
 
 /// `value` or `name: value`

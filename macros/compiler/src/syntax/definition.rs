@@ -274,7 +274,10 @@ fn no_matrix(what: &Ident, value: &Expression) -> Parsed<()> {
         entries.extend(products.into_iter().map(String::as_str));
     }
     let instead = format!("inertia = ({});", entries.join(", "));
-    wrong(value.range, GrammarFact::Misspelt { flaw: "an inertia is three numbers, or six with products of inertia", instead })
+    wrong(
+        value.range,
+        GrammarFact::Misspelt { flaw: "an inertia is no matrix: in space it is three numbers, or six with products of inertia", instead },
+    )
 }
 
 /// The value of a mass, a centre or an inertia.

@@ -5,7 +5,6 @@ use super::definition::mass;
 use super::expression::{declared, equals_behind, expression, in_brackets, value};
 use super::item::{ItemContext, indexed};
 use super::repeated::repeated_marks;
-use super::slip::no_letter;
 use super::tokens::{Parsed, block, docs, expected, keyword, name, next, report, semicolon, skip_statement, statement_text, wrong};
 use crate::diag::{Diag, GrammarFact};
 use crate::quantity::Ambient;
@@ -98,9 +97,6 @@ fn mark(input: ParseStream) -> Parsed<Feature> {
     let is_axis = Ident::parse_any(input)? == "axis";
     let (name, indices) = declared(input, if is_axis { "the name of the axis" } else { "the name of the point" })?;
     equals_behind(input, format_args!("{} {name}{}", if is_axis { "axis" } else { "point" }, in_brackets(&indices)))?;
-    if is_axis {
-        no_letter(input, &name)?;
-    }
     let before = input.fork();
     let value = expression(input)?;
     if input.peek(Token![,]) && !matches!(value.kind, ExpressionKind::Tuple(..)) {

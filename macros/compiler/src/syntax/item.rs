@@ -157,11 +157,10 @@ pub(super) fn items(content: ParseStream, place: ItemContext, diag: &mut Diag) -
 fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item> {
     let (docs, mut others) = attributes(input)?;
     if input.peek(Token![;]) {
-        return wrong(input.span(), GrammarFact::StraySemicolon);
+        return wrong(input.span(), GrammarFact::Stray { sign: ';' });
     }
     if input.peek(Token![,]) {
-        let flaw = "an item that ends with `}` has nothing behind it";
-        return wrong(input.span(), GrammarFact::Misspelt { flaw, instead: "body a { … } body b { … }".to_owned() });
+        return wrong(input.span(), GrammarFact::Stray { sign: ',' });
     }
     let Some(keyword) = keyword(input) else {
         return expected(

@@ -1,10 +1,10 @@
 //! Parses parameters and inputs, and bounds.
 
-use super::ast::{Dimension, Docs, Expression, ExpressionKind, Limits, ParameterItem, Relation};
+use super::ast::{Docs, Expression, ExpressionKind, Limits, ParameterItem, Relation};
 use super::dimension::required_dimension;
 use super::expression::{declared, expression, in_brackets, relation};
 use super::tokens::{Parsed, equals, expected, keyword, semicolon, wrong};
-use crate::diag::{GrammarFact, NameFact, Range};
+use crate::diag::{GrammarFact, Range};
 use crate::quantity::{self, Dim};
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
@@ -26,7 +26,6 @@ pub(super) fn parameter(input: ParseStream, docs: Docs) -> Parsed<ParameterItem>
     let default = expression(input)?;
     no_least_and_greatest(input, &default)?;
     no_comparison(input, &default)?;
-    is_of_unit(&dimension, &default)?;
     let limits = if input.peek(Token![in]) { Some(limits(input)?) } else { None };
     semicolon(input)?;
     Ok(ParameterItem { docs, name, indices, dimension, default, limits })
@@ -64,7 +63,7 @@ fn no_least_and_greatest(input: ParseStream, default: &Expression) -> Parsed<()>
     let [least, greatest] = ends;
     let is_closed = if greatest.is_some() { "=" } else { "" };
     let instead = format!("{default} in {}..{is_closed}{}", least.unwrap_or_default(), greatest.unwrap_or_default());
-    wrong(input.span(), GrammarFact::Misspelt { flaw: "bounds stand behind `in`", instead })
+    wrong(input.span(), GrammarFact::Misspelt { flaw: "bounds come after `in`", instead })
 }
 
 /// Refuses `40mm >= 10mm` as a default with a bound.
@@ -78,17 +77,7 @@ fn no_comparison(input: ParseStream, default: &Expression) -> Parsed<()> {
         Relation::LessOrEqual => format!("{default} in ..={bound}"),
         Relation::Equal | Relation::Different => return Ok(()),
     };
-    wrong(input.span(), GrammarFact::Misspelt { flaw: "bounds stand behind `in`", instead })
-}
-
-/// Refuses an unknown dimension, and tells the one that the unit of the default has.
-fn is_of_unit(dimension: &Dimension, default: &Expression) -> Parsed<()> {
-    let ([(word, 1)], ExpressionKind::Number { unit, .. }) = (dimension.factors.as_slice(), &default.kind) else { return Ok(()) };
-    let known = quantity::unit(unit).and_then(|(_, dim)| Dim::names().find(|known| Dim::named(known) == Some(dim)));
-    match known.filter(|_| !unit.is_empty() && Dim::named(&word.to_string()).is_none()) {
-        Some(known) => wrong(word.span(), NameFact::UnknownDimension { name: word.to_string(), near: Some(known.to_owned()) }),
-        None => Ok(()),
-    }
+    wrong(input.span(), GrammarFact::Misspelt { flaw: "bounds come after `in`", instead })
 }
 
 /// `input name: Dimension = start;`; without a start it begins at 0.
@@ -101,9 +90,9 @@ pub(super) fn input_item(input: ParseStream, docs: Docs) -> Parsed<ParameterItem
     }
     let dimension = required_dimension(input)?;
     if input.peek(token::Paren) {
-        let [(word, _), ..] = dimension.factors.as_slice() else { return expected(input, "`;`") };
-        let flaw = "an input changes with time by itself";
-        return wrong(dimension.range, GrammarFact::Misspelt { flaw, instead: format!("input {name}: {word};") });
+        let [(word, 1)] = dimension.factors.as_slice() else { return expected(input, "`=` or `;`") };
+        let instead = format!("input {name}{}: {word} = …;", in_brackets(&indices));
+        return wrong(dimension.range, GrammarFact::Misspelt { flaw: "an input changes with time by itself", instead });
     }
     let default = if input.peek(Token![=]) {
         equals(input)?;
@@ -165,10 +154,12 @@ pub(super) fn limits(input: ParseStream) -> Parsed<Limits> {
     }
     let to = if is_open { None } else { Some(expression(input)?) };
     let range = to.as_ref().map_or(range, |to| range.to(to.range));
+    // In SI no value lies between them.
     if let (Some(from), Some(to)) = (&from, &to)
-        && let (Some((least, "")), Some((_, unit))) = (measured(from), measured(to))
-        && !unit.is_empty()
-        && least != "0"
+        && let (Some((least, "")), Some((greatest, unit))) = (measured(from), measured(to))
+        && let (Ok(least), Ok(greatest), Some((size, _))) = (least.parse::<f64>(), greatest.parse::<f64>(), quantity::unit(unit))
+        && least < greatest
+        && least > greatest * size.to_f64()
     {
         let dots = if is_inclusive { "..=" } else { ".." };
         let flaw = "each bound has a unit of its own";

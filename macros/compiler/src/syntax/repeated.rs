@@ -136,7 +136,8 @@ fn no_length(input: ParseStream, variable: &Ident) -> Parsed<()> {
     let ahead = input.fork();
     let Ok(from) = expression(&ahead) else { return Ok(()) };
     let place = ahead.span();
-    if ahead.parse::<Token![..]>().is_err() || ahead.parse::<Ident>().is_err() || ahead.parse::<Token![.]>().is_err() {
+    let is_range = ahead.parse::<Token![..=]>().is_ok() || ahead.parse::<Token![..]>().is_ok();
+    if !is_range || ahead.parse::<Ident>().is_err() || ahead.parse::<Token![.]>().is_err() {
         return Ok(());
     }
     let is_length = ahead.parse::<Ident>().is_ok_and(|word| ["len", "length", "size", "count"].iter().any(|known| word == known));

@@ -9,7 +9,7 @@ use crate::words::{foreign, is_synonym};
 use proc_macro2::{Delimiter, Group, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::{ParseBuffer, ParseStream};
-use syn::{Ident, Lit, LitInt, LitStr, Token, token};
+use syn::{Ident, Lit, LitInt, Token, token};
 
 /// True for a whole number, and for a name that loops often have.
 fn is_index(value: &Expression) -> bool {
@@ -78,29 +78,12 @@ pub(super) fn no_word_behind(input: ParseStream, value: &Expression) -> Parsed<(
     let Some(word) = ahead.parse::<Ident>().ok().filter(|word| !goes_on(word) && (ahead.is_empty() || ahead.peek(Token![,]))) else {
         return Ok(());
     };
-    let (flaw, instead) = match quantity::unit(&word.to_string()).filter(|_| word != "t") {
-        Some(_) => ("a unit stands right behind a number, and other quantities carry theirs", value.to_string()),
+    let is_name = matches!(value.kind, ExpressionKind::Path(_));
+    let (flaw, instead) = match quantity::unit(&word.to_string()).filter(|_| word != "t" && !is_name) {
+        Some(_) => ("a unit stands right after a number, and other quantities carry theirs", value.to_string()),
         None => ("an operator is missing", format!("{value} * {word}")),
     };
     wrong(value.range.to(&word), GrammarFact::Misspelt { flaw, instead })
-}
-
-/// Refuses `x`, `y` and `z`, also in quotation marks, as an axis.
-pub(super) fn no_letter(input: ParseStream, axis: &Ident) -> Parsed<()> {
-    let ahead = input.fork();
-    let minus = if ahead.parse::<Option<Token![-]>>()?.is_some() { "-" } else { "" };
-    let letter = match ahead.parse::<Ident>() {
-        Ok(letter) => letter.to_string(),
-        Err(_) => ahead.parse::<LitStr>().map(|letter| letter.value().to_lowercase()).unwrap_or_default(),
-    };
-    let instead = match letter.as_str() {
-        "x" => format!("axis {axis} = ({minus}1, 0);"),
-        "y" => format!("axis {axis} = (0, {minus}1);"),
-        "z" => format!("axis {axis} = (0, 0, {minus}1);"),
-        _ => return Ok(()),
-    };
-    let flaw = "an axis is given by a vector, of three components in space";
-    if ahead.peek(Token![;]) { wrong(input.span(), GrammarFact::Misspelt { flaw, instead }) } else { Ok(()) }
 }
 
 /// Refuses `plate.B(i)`.

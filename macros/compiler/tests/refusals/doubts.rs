@@ -287,7 +287,7 @@ fn expressions_that_are_often_meant_otherwise_are_doubted() {
     let jump = |law: &str| plane(&format!("drive d = drive_angle(b, {law});"));
     let leap = |from: &str, to: &str, law: &str| {
         vec![format!(
-            "the drive jumps from {from} to {to} at t = 1s, and no body moves so\nhelp: lead from one to the other, such as by `{law}`; if it is meant, name a number with `let`"
+            "the drive jumps from {from} to {to} at t = 1s, and no body can move like that\nhelp: move from one to the other gradually, for example with `{law}`; if it is meant, name a number with `let`"
         )]
     };
     let law = "10deg + (40deg - 10deg) * cycloidal((t - 1s) / 0.5s)";

@@ -94,7 +94,7 @@ impl Diagram<'_> {
         paper.present()
     }
 
-    /// The points of a series; `None` where the value is not finite.
+    /// The points of a series; `None` where the value has no place on an axis.
     fn points(&self, series: &Series) -> Vec<Option<(f64, f64)>> {
         self.values.iter().zip(&series.values).map(|(x, y)| (y.abs() <= LARGEST).then_some((*x, *y))).collect()
     }

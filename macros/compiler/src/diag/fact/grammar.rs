@@ -44,7 +44,7 @@ pub enum GrammarFact {
     ArrayOfDimension { written: String },
     ComparisonOutside,
     ForceBeforePlace { name: String, clause: String },
-    StraySemicolon,
+    Stray { sign: char },
     WithoutEquals { found: String, instead: String },
     BodyWithoutBraces { name: String, found: String },
     ParameterWithoutDimension { name: String, default: Option<(&'static str, String)> },

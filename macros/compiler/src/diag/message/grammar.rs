@@ -332,7 +332,7 @@ impl Display for GrammarFact {
             GrammarFact::ComparisonOutside => {
                 write!(f, "a comparison is no value\nhelp: write `if a < b {{ x }} else {{ y }}` for a choice")
             }
-            GrammarFact::StraySemicolon => write!(f, "this `;` ends nothing\nhelp: take it away"),
+            GrammarFact::Stray { sign } => write!(f, "this `{sign}` ends nothing\nhelp: take it away"),
             GrammarFact::UnitRaised { written, unit, squared } => {
                 write!(f, "`{written}` raises the number with its unit to a power\nhelp: the unit is `{unit}`; a square is `{squared}`")
             }

@@ -38,8 +38,10 @@ impl Display for NameFact {
                 write!(f, "`{name}` is an output: it is read from Rust, not in the declaration")?;
                 write!(f, "\nhelp: name its value with `let {name} = …;` and give that out with `output {name} = {name};`")
             }
-            NameFact::UnknownName { name, near: None, .. } if name == "z" => {
-                write!(f, "nothing is called `z` here\nhelp: write `(0, 0, 1)` for the direction of z")
+            NameFact::UnknownName { name, near: None, .. } if ["x", "y", "z"].contains(&name.as_str()) => {
+                let along = [("x", "(1, 0)`, in space `(1, 0, 0)"), ("y", "(0, 1)`, in space `(0, 1, 0)"), ("z", "(0, 0, 1)")];
+                let along = along.iter().find(|(known, _)| name == known).map_or("", |(_, along)| along);
+                write!(f, "nothing is called `{name}` here\nhelp: write `{along}` for the direction of {name}")
             }
             NameFact::UnknownName { name, .. } if ["π", "M_PI", "Pi"].contains(&name.as_str()) => {
                 write!(f, "nothing is called `{name}` here\nhelp: write `pi`")
@@ -113,12 +115,17 @@ impl Display for NameFact {
                 write!(f, "\nhelp: `mechanism.loads(&state)` has a method for each joint, with `force` and `torque`, ")?;
                 write!(f, "and for each drive, with `effort` and `power`")
             }
-            NameFact::UnknownField { owner, name, near: None, .. } if TURNS.contains(&name.as_str()) => {
+            NameFact::UnknownField { owner, name, near: None, known }
+                if TURNS.contains(&name.as_str()) && known.first.iter().any(|known| known == "angular_velocity") =>
+            {
+                if known.first.iter().any(|known| known == "angle") {
+                    return write!(f, "{owner} has no `{name}`\nhelp: in the plane write `.angle`");
+                }
                 write!(f, "{owner} has no `{name}`\nhelp: angles are those of joints, such as `hinge.angle`; ")?;
                 write!(f, "the orientation of a state is read in Rust, by `state.body().orientation()`")
             }
             NameFact::UnknownField { owner, name, .. } if owner == "a number" && name == "value" => {
-                write!(f, "{owner} has no `{name}`\nhelp: it stands by its name alone")
+                write!(f, "{owner} has no `{name}`\nhelp: write its name alone, without `.{name}`")
             }
             NameFact::UnknownField { owner, name, near: Some(near), .. } if name == "angle" && near.ends_with(".angle") => {
                 write!(f, "{owner} has no `angle` in the plane\nhelp: bodies have one: write `{near}`")

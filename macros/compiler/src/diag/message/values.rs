@@ -54,9 +54,10 @@ impl Display for ValueFact {
                 if definition == "screw" && parameter == "lead" && found.times(Dim::ANGLE) == *wanted {
                     return write!(f, "\nhelp: the lead is the way of one turn: write `lead: 5mm`");
                 }
-                let share = [Dim::FORCE, Dim::TORQUE].into_iter().find(|of| definition.contains("stop") && found.per(*of) == *wanted);
-                if share.is_some() {
-                    return write!(f, "\nhelp: it multiplies the force of the stop: divide by it, as in `500Ns_m / 5kN`");
+                let shares = [(Dim::FORCE, "force", "500Ns_m / 5kN"), (Dim::TORQUE, "torque", "2Nms_rad / 20Nm")];
+                let share = shares.into_iter().find(|(of, ..)| definition.contains("stop") && found.per(*of) == *wanted);
+                if let Some((_, of, instead)) = share {
+                    return write!(f, "\nhelp: it multiplies the {of} of the stop: divide by that, as in `{instead}`");
                 }
                 if found.times(Dim::TIME) == *wanted && [Dim::ANGLE, Dim::LENGTH].contains(wanted) {
                     return write!(f, "\nhelp: multiply the rate by `t`");
@@ -205,7 +206,7 @@ impl Display for ValueFact {
                     Kind::Joint | Kind::JointOf(_) => {
                         write!(
                             f,
-                            "\nhelp: write a value of it, such as `joint.P`, or in space `joint.angle` or `joint.displacement`; its force is one of the loads, `mechanism.loads(&state)`"
+                            "\nhelp: write a value of it, such as `joint.P`, or in space `joint.angle` or `joint.displacement`; its force is one of the loads, in Rust `mechanism.loads(&state)`"
                         )
                     }
                     _ => Ok(()),
