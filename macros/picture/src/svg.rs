@@ -323,7 +323,7 @@ fn length(metres: f64) -> String {
 }
 
 fn escaped(text: &str) -> String {
-    // XML has no other control characters.
+    // Other control characters are left out.
     let text = text.replace(|letter: char| letter.is_control() && letter != '\n' && letter != '\t', " ");
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

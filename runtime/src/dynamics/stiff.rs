@@ -144,7 +144,7 @@ impl Method for Stiff {
         let mut errors = last.map(|part| part.map(|error| [error, T::ZERO]));
         let change: [[T; I]; 2] = [[q, end[0]], [u, end[1]]].map(|[from, to]| core::array::from_fn(|k| to[k] - from[k]));
         let slopes = Slope { by_position, by_speed, by_time, h };
-        let bent = slopes.bent((&u, &change), (&a, &there), &lengths(mechanism));
+        let bent = slopes.bent([&q, &u], &change, (&a, &there), &lengths(mechanism));
         errors[1].iter_mut().zip(&bent).for_each(|(error, bent)| error[0] = error[0].abs() + bent.without_derivatives().abs());
         Ok(Trial { end: vectors, errors, rates: None })
     }
@@ -153,7 +153,7 @@ impl Method for Stiff {
 /// Slopes are those of the whole step if accelerations at its end are what they tell but for this part.
 const STRAIGHT: f64 = 0.1;
 
-/// Times ε and the terms of an acceleration: it is rounded by less.
+/// An acceleration is rounded by less than this many ε times the sum of its terms.
 const ROUNDED: f64 = 16.0;
 
 /// Derivatives of the accelerations at the beginning of a step of the size `h`.
@@ -168,9 +168,9 @@ impl<T: Scalar, const I: usize> Slope<T, I> {
     /// Errors of speeds that steep slopes hide, as those of friction within its transition: where they end within a step, the step and its estimate
     /// are both made by slopes that hold no longer.
     ///
-    /// * `speeds`, `change`: given, speeds at the beginning, and the change of positions and of speeds in the step.
+    /// * `positions`, `speeds`, `change`: given, those at the beginning, and their change in the step.
     /// * `a`, `there`: given, accelerations at the beginning and at the end.
-    fn bent(&self, (speeds, change): (&[T; I], &[[T; I]; 2]), (a, there): (&[T; I], &[T; I]), lengths: &[T; I]) -> [T; I] {
+    fn bent(&self, [positions, speeds]: [&[T; I]; 2], change: &[[T; I]; 2], (a, there): (&[T; I], &[T; I]), lengths: &[T; I]) -> [T; I] {
         let part = T::of(GAMMA) * self.h;
         let [of_positions, of_speeds] = change;
         let told = |k: usize| {
@@ -190,7 +190,9 @@ impl<T: Scalar, const I: usize> Slope<T, I> {
                 let (of_position, of_speed) = (self.by_position[k][column].abs(), self.by_speed[k][column].abs());
                 steep = steep + part.abs() * (of_speed + part.abs() * of_position) * lengths[column] / lengths[k];
                 // Forces of springs that are pressed together may be those of whole lengths.
-                terms = terms + of_position * lengths[column] + of_speed * (speeds[column].abs() + of_speeds[column].abs());
+                terms = terms
+                    + of_position * lengths[column].max(positions[column].abs())
+                    + of_speed * (speeds[column].abs() + of_speeds[column].abs());
             }
             let is_rounded = missing[k].abs() <= T::of(ROUNDED) * T::EPSILON * terms;
             if is_rounded { T::ZERO } else { part * missing[k] * steep / (T::of(1.0) + steep) }

@@ -54,7 +54,8 @@ struct Jump<T, const N: usize> {
 
 /// True if the accelerations on both sides of an instant are not the same.
 ///
-/// * `ends`: given, accelerations at both ends of the step, with which the difference is compared: at the instant they may pass through zero.
+/// * `ends`: given, accelerations at both ends of a longer time around, with which the difference is compared: at the instant they may pass through
+///   zero.
 pub(super) fn accelerations_jump<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     sides: [&SVector<T, N>; 2],

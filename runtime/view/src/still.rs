@@ -148,7 +148,7 @@ pub(crate) fn contents(element: &Element) -> String {
 }
 
 pub(crate) fn escaped(text: &str) -> String {
-    // XML has no other control characters.
+    // Other control characters are left out.
     let text = text.replace(|letter: char| letter.is_control() && letter != '\n' && letter != '\t', " ");
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -154,7 +154,7 @@ pub(super) fn of_equation(one: &Kind, two: &Kind, ambient: Ambient) -> &'static 
 /// For a quantity of another dimension than the one that is wanted.
 pub(super) fn of_dimension(wanted: Dim, found: Dim) -> &'static str {
     match (wanted, found) {
-        (Dim::NUMBER, Dim::ANGLE) => "\nhelp: divide it by an angle, as in `x / 90deg`",
+        (Dim::NUMBER, Dim::ANGLE) => "\nhelp: take the unit away, or divide it by an angle, as in `x / 90deg`",
         (Dim::NUMBER, Dim::TIME) => "\nhelp: divide it by a time, as in `t / 1s`",
         (_, found) if found.is_of_time() => of_dimensions(wanted, found),
         (Dim::INERTIA, Dim::MASS) => {

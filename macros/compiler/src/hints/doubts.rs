@@ -277,7 +277,7 @@ fn jump_of_drive(item: &Item) -> Option<Warning> {
     let height = if number(from)? == 0.0 { to.to_string() } else { format!("({to} - {from})") };
     let begin = if number(from)? == 0.0 { String::new() } else { format!("{from} + ") };
     let help = format!(
-        "move from one to the other gradually, for example with `{begin}{height} * cycloidal((t - {instant}) / 0.5s)`; if it is meant, name a number with `let`"
+        "move from one to the other gradually, for example with `{begin}{height} * cycloidal((t - {instant}) / 0.5s)`; if the jump is intended, name one of the values with `let`"
     );
     Some(Warning { doubt: unlikely("jump_of_drive", flaw, help), range: law.range })
 }

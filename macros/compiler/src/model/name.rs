@@ -17,7 +17,7 @@ pub struct Name {
     pub indices: Vec<usize>,
     /// Full path: `leg[3].coupler`.
     pub path: String,
-    /// Path as a Rust identifier, `leg_3_coupler`; unique for bodies.
+    /// Path as a Rust identifier, `leg_3_coupler`; unique for bodies and loads.
     pub local: String,
 }
 
@@ -69,8 +69,9 @@ impl Name {
     /// other one has `_` after it.
     pub(crate) fn tell_apart(names: Vec<&mut Name>) {
         let is_written = |name: &Name| name.path.trim_start_matches("r#") == name.local;
-        let mut taken: BTreeSet<String> = names.iter().filter(|name| is_written(name)).map(|name| name.local.clone()).collect();
-        for name in names.into_iter().filter(|name| !is_written(name)) {
+        let (written, others): (Vec<&mut Name>, Vec<&mut Name>) = names.into_iter().partition(|name| is_written(name));
+        let mut taken = BTreeSet::new();
+        for name in written.into_iter().chain(others) {
             while !taken.insert(name.local.clone()) {
                 name.local.push('_');
             }

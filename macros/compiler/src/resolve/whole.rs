@@ -217,7 +217,12 @@ impl Elaborator<'_> {
         if let Some((unknown, _)) = written.factors.iter().find(|(name, _)| Dim::named(&name.to_string()).is_none()) {
             let name = unknown.to_string();
             let near = nearest(&name, Dim::names());
-            let near = of_default.filter(|_| ["Number", "Velocity"].map(Some).contains(&near.as_deref())).map(ToOwned::to_owned).or(near);
+            // A `Speed` may be one of turning.
+            let meant = |own: &&str| match near.as_deref() {
+                None => *own != "Number",
+                Some(near) => near == "Number" || near == "Velocity" && *own == "AngularVelocity",
+            };
+            let near = of_default.filter(meant).map(ToOwned::to_owned).or(near);
             return self.refuse(unknown, NameFact::UnknownDimension { name, near });
         }
         written.dim()

@@ -18,10 +18,11 @@ pub(super) fn loads(tree: &Mechanism, promised: &Outline, visibility: &TokenStre
     let joints = promised.joints.iter().filter(|(_, joint)| !joint.is_freedom()).map(|(name, joint)| (name, joint, false));
     let forces = promised.forces.iter().map(|(name, force)| (name, force, true));
     let (mut methods, mut alone, mut taken) = (TokenStream::new(), TokenStream::new(), BTreeSet::new());
-    let mut all: Vec<_> = joints.chain(forces).map(|(name, item, is_force)| (name.clone(), item, is_force)).collect();
-    Name::tell_apart(all.iter_mut().map(|(name, ..)| name).collect());
     // What is declared twice has been refused.
-    for (name, item, is_force) in all.into_iter().filter(|(name, ..)| taken.insert(name.local.clone())) {
+    let once = joints.chain(forces).filter(|(name, ..)| taken.insert(&name.path));
+    let mut all: Vec<_> = once.map(|(name, item, is_force)| (name.clone(), item, is_force)).collect();
+    Name::tell_apart(all.iter_mut().map(|(name, ..)| name).collect());
+    for (name, item, is_force) in all {
         let (kind, own) = (load_type(tree, item, is_force), format_ident!("load_of_{}", name.local));
         let name = identifier(&name.local);
         methods.extend(quote!(pub fn #name(&self) -> #kind { #body }));

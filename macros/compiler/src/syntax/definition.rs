@@ -276,7 +276,10 @@ fn no_matrix(what: &Ident, value: &Expression) -> Parsed<()> {
     let instead = format!("inertia = ({});", entries.join(", "));
     wrong(
         value.range,
-        GrammarFact::Misspelt { flaw: "an inertia is no matrix: in space it is three numbers, or six with products of inertia", instead },
+        GrammarFact::Misspelt {
+            flaw: "an inertia is not a matrix: in the plane it is one number, in space three, or six with products of inertia",
+            instead,
+        },
     )
 }
 

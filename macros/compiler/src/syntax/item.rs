@@ -235,7 +235,7 @@ fn unknown_item<T>(input: ParseStream, keyword: &Ident, ItemContext { is_top, va
         let instead = format!("part {name} = {word}{};", statement_text(&rest)?);
         return wrong(
             keyword,
-            GrammarFact::Misspelt { flaw: "a part of a mechanism begins with its kind, and `=` stands behind its name", instead },
+            GrammarFact::Misspelt { flaw: "a part of a mechanism begins with its kind, and `=` comes after its name", instead },
         );
     }
     // A call of a constraint or a force lacks the keyword, and its name or `=`.

@@ -100,7 +100,7 @@ pub(super) fn freedom(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
     if input.peek(Token![,]) && input.cursor().punct().is_some_and(|(_, behind)| is_number(behind.token_tree())) {
         let comma = input.parse::<Token![,]>()?.spans[0];
         let instead = format!("{value} from {}", expression(input)?);
-        return wrong(comma, GrammarFact::Misspelt { flaw: "the value at t = 0 stands behind `from`", instead });
+        return wrong(comma, GrammarFact::Misspelt { flaw: "the value at t = 0 comes after `from`", instead });
     }
     let clause = |word: &str| -> Parsed<Option<Expression>> {
         if keyword(input).is_none_or(|found| found != word) {
@@ -116,7 +116,7 @@ pub(super) fn freedom(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
             Ident::parse_any(input)?;
         }
         let instead = format!("{value} from {from} at {}", expression(input)?);
-        return wrong(comma, GrammarFact::Misspelt { flaw: "the rate at t = 0 stands behind `at`", instead });
+        return wrong(comma, GrammarFact::Misspelt { flaw: "the rate at t = 0 comes after `at`", instead });
     }
     if let (None, Some(at), Some(late)) = (&from, &at, clause("from")?) {
         let (range, value) = (at.range.to(late.range), value.to_string());

@@ -120,11 +120,11 @@ fn no_drive(input: ParseStream, name: &Ident) -> Parsed<()> {
     }
 }
 
-/// The digits and the unit of a number.
-fn measured(value: &Expression) -> Option<(&str, &str)> {
+/// A number as it is written, and its unit.
+fn measured(value: &Expression) -> Option<(f64, &str)> {
     match &value.kind {
-        ExpressionKind::Number { digits, unit } => Some((digits, unit)),
-        ExpressionKind::Negative(inner) => measured(inner),
+        ExpressionKind::Number { digits, unit } => Some((digits.parse().ok()?, unit)),
+        ExpressionKind::Negative(inner) => measured(inner).map(|(number, unit)| (-number, unit)),
         _ => None,
     }
 }
@@ -157,7 +157,7 @@ pub(super) fn limits(input: ParseStream) -> Parsed<Limits> {
     // In SI no value lies between them.
     if let (Some(from), Some(to)) = (&from, &to)
         && let (Some((least, "")), Some((greatest, unit))) = (measured(from), measured(to))
-        && let (Ok(least), Ok(greatest), Some((size, _))) = (least.parse::<f64>(), greatest.parse::<f64>(), quantity::unit(unit))
+        && let Some((size, _)) = quantity::unit(unit)
         && least < greatest
         && least > greatest * size.to_f64()
     {

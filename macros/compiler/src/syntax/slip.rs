@@ -81,7 +81,7 @@ pub(super) fn no_word_behind(input: ParseStream, value: &Expression) -> Parsed<(
     let is_name = matches!(value.kind, ExpressionKind::Path(_));
     let (flaw, instead) = match quantity::unit(&word.to_string()).filter(|_| word != "t" && !is_name) {
         Some(_) => ("a unit stands right after a number, and other quantities carry theirs", value.to_string()),
-        None => ("an operator is missing", format!("{value} * {word}")),
+        None => ("an operator is missing; a unit stands right after a number", format!("{value} * {word}")),
     };
     wrong(value.range.to(&word), GrammarFact::Misspelt { flaw, instead })
 }

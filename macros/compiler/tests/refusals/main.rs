@@ -18,6 +18,7 @@ mod limits;
 mod masses;
 mod mobility;
 mod names;
+mod otherwise;
 mod parameters;
 mod redundancy;
 mod space;

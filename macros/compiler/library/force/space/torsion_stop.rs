@@ -28,7 +28,7 @@ force torsion_stop(
     damping: Time / Angle = 0,
 ) in space {
     require a.body != b.body: "a stop of a hinge acts between two bodies";
-    require least < greatest: "of the angles of a stop the least comes first, then the greatest";
+    require least < greatest: "the least angle of a stop comes before the greatest";
     require torque >= 0: "a stop pushes, and its torque is not negative";
     require depth > 0: "the depth of a stop, at which it has its torque, is above zero";
     require exponent >= 1: "a stop with an exponent below 1 is infinitely stiff at first touch";

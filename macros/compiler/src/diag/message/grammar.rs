@@ -60,7 +60,7 @@ impl Display for GrammarFact {
                 write!(f, "expected {what}, found {found}\nhelp: {ONE_BY_ONE}")
             }
             GrammarFact::ComparisonAsValue => {
-                write!(f, "a comparison is no value\nhelp: it stands behind `if`, as in `if a < b {{ x }} else {{ y }}`")
+                write!(f, "a comparison is no value\nhelp: it comes after `if`, as in `if a < b {{ x }} else {{ y }}`")
             }
             GrammarFact::Expected { what: what @ "an expression", found } if found == "`box`" => {
                 write!(f, "expected {what}, found {found}, a word of Rust\nhelp: the shape is `block(a, b, c)`, in the plane `block(a, b)`")
@@ -92,7 +92,7 @@ impl Display for GrammarFact {
                     ("`from` and the value at t = 0, `at` and the rate at t = 0, or `;`", "`in`") => {
                         write!(f, "\nhelp: a freedom has no bounds; forces that end a motion are `stop`, `stop_along` and `torsion_stop`")
                     }
-                    ("`=`", "`{`") => write!(f, "\nhelp: a value stands behind `=`, without braces"),
+                    ("`=`", "`{`") => write!(f, "\nhelp: a value comes after `=`, without braces"),
                     ("`=`", "`(`") => {
                         write!(f, "\nhelp: write `point P = (…);` for a point, `function f(x: Angle) -> Length = …;` for a function")
                     }
@@ -119,7 +119,7 @@ impl Display for GrammarFact {
                     }
                     ("`{ value }`", "`then`") => write!(f, "\nhelp: write `if a < b {{ x }} else {{ y }}`"),
                     ("`=`", "`:`") => {
-                        write!(f, "\nhelp: a value stands behind `=`; only parameters and inputs have `:` and a dimension before it")
+                        write!(f, "\nhelp: a value comes after `=`; only parameters and inputs have `:` and a dimension before it")
                     }
                     ("`:` and a dimension such as `Length`", "`;`") => {
                         write!(f, "\nhelp: write the dimension behind the name, as in `name: Length = …;`")
@@ -218,7 +218,7 @@ impl Display for GrammarFact {
             GrammarFact::UnknownItem { word, .. } if ["require", "assert"].contains(&word.as_str()) => {
                 write!(
                     f,
-                    "`{word}` is no item of a mechanism\nhelp: bounds of a parameter stand behind it, as in `param a: Length = 100mm in 50mm..;`"
+                    "`{word}` is no item of a mechanism\nhelp: bounds of a parameter come after it, as in `param a: Length = 100mm in 50mm..;`"
                 )
             }
             GrammarFact::UnknownItem { word, .. } if crate::words::is_command(word) => {
@@ -304,7 +304,7 @@ impl Display for GrammarFact {
                 )
             }
             GrammarFact::NumberBeforeParentheses { number, is_range: true } => {
-                write!(f, "the bounds of a parameter stand behind `in`\nhelp: write `{number} in 50mm..=150mm`")
+                write!(f, "the bounds of a parameter come after `in`\nhelp: write `{number} in 50mm..=150mm`")
             }
             GrammarFact::NumberBeforeParentheses { number, .. } => {
                 write!(f, "an operator is missing between `{number}` and `(`\nhelp: write `{number} * (…)`")
@@ -316,11 +316,7 @@ impl Display for GrammarFact {
                 write!(f, "a condition has no parentheses\nhelp: write `if a < b {{ x }} else {{ y }}`")
             }
             GrammarFact::UnitBehindParentheses { written, unit } => {
-                write!(
-                    f,
-                    "a unit stands behind a number, and `{unit}` behind parentheses\nhelp: write `({}) * 1{unit}`",
-                    shortened(written)
-                )
+                write!(f, "a unit comes after a number, and `{unit}` behind parentheses\nhelp: write `({}) * 1{unit}`", shortened(written))
             }
             GrammarFact::ArrayOfDimension { written } => {
                 write!(f, "`{}` is no dimension: arrays are declared by a loop", shortened(written))?;
@@ -418,7 +414,7 @@ impl Display for GrammarFact {
             GrammarFact::Return { .. } => {
                 write!(
                     f,
-                    "expected an expression, found `return`\nhelp: take it away: an equation is `lhs == rhs;`, a value stands behind `=`"
+                    "expected an expression, found `return`\nhelp: take it away: an equation is `lhs == rhs;`, a value comes after `=`"
                 )
             }
             GrammarFact::DoubleStar => write!(f, "`**` is no operator\nhelp: a power is written `a^b`"),

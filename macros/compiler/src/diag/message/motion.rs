@@ -27,7 +27,7 @@ impl Display for MotionFact {
     fn fmt(&self, f: &mut Formatter) -> Result {
         match self {
             MotionFact::PlaceWithoutAt { place } => {
-                write!(f, "a force stands behind `at` and its point, a torque behind `on` and its body\nhelp: write `at {place}: …;`")
+                write!(f, "a force comes after `at` and its point, a torque behind `on` and its body\nhelp: write `at {place}: …;`")
             }
             MotionFact::StartWithEquals { value, start } => {
                 write!(f, "a freedom has its value at t = 0 behind `from`\nhelp: write `{value} from {start}`")

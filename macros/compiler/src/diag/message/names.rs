@@ -39,9 +39,9 @@ impl Display for NameFact {
                 write!(f, "\nhelp: name its value with `let {name} = …;` and give that out with `output {name} = {name};`")
             }
             NameFact::UnknownName { name, near: None, .. } if ["x", "y", "z"].contains(&name.as_str()) => {
-                let along = [("x", "(1, 0)`, in space `(1, 0, 0)"), ("y", "(0, 1)`, in space `(0, 1, 0)"), ("z", "(0, 0, 1)")];
+                let along = [("x", "(1, 0)` or in space `(1, 0, 0)"), ("y", "(0, 1)` or in space `(0, 1, 0)"), ("z", "(0, 0, 1)")];
                 let along = along.iter().find(|(known, _)| name == known).map_or("", |(_, along)| along);
-                write!(f, "nothing is called `{name}` here\nhelp: write `{along}` for the direction of {name}")
+                write!(f, "nothing is called `{name}` here\nhelp: write `body.{name}` for a coordinate, `{along}` for the direction of {name}")
             }
             NameFact::UnknownName { name, .. } if ["π", "M_PI", "Pi"].contains(&name.as_str()) => {
                 write!(f, "nothing is called `{name}` here\nhelp: write `pi`")
